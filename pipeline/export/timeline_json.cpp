@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/export/sample_times.h"
-#include "render/scene/scene_fields.h"
 #include "sim/timeline/event_fields.h"
 #include "sim/timeline/track_fields.h"
 

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "core/field_hasher.h"
 #include "pipeline/store/frame_key.h"
-#include "render/scene/scene_fields.h"
 
 namespace carom::pipeline {
 namespace {

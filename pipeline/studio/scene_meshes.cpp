@@ -14,8 +14,6 @@
 #include "pipeline/export/object_pose.h"
 #include "pipeline/export/scene_glb.h"
 #include "pipeline/studio/lighter_meshes.h"
-#include "render/scene/material_fields.h"
-#include "render/scene/scene_fields.h"
 
 namespace carom::studio {
 

@@ -1,11 +1,13 @@
 // Materials as plain data: the layered `standard` material, the classic `phong` one, and the
-// textures of both.
+// textures of both. `fields_of` lists the fields of each in the order in which they are hashed
+// (core/fields.h).
 #pragma once
 
 #include <optional>
 #include <string>
 #include <variant>
 
+#include "core/fields.h"
 #include "core/vectors.h"
 
 namespace carom::render {
@@ -20,6 +22,13 @@ struct ImageTexture {
     double rotation = 0;         // about uv (0, 0), rad, counter-clockwise
     std::optional<Vec3> background{};  // shown where it is transparent; none: kTransparentColour
 };
+constexpr auto fields_of(Describes<ImageTexture>) {
+    using T = ImageTexture;
+    return fields<T>(file_field("file", &T::file), field("scale", &T::scale),
+                     field("is_linear", &T::is_linear), field("size", &T::size),
+                     field("offset", &T::offset), field("rotation", &T::rotation),
+                     field("background", &T::background));
+}
 
 /// The colour of a material without one of its own.
 inline constexpr Vec3 kTransparentColour{0.8, 0.8, 0.8};
@@ -34,6 +43,12 @@ struct BallTexture {
     double disc_radius = 0.48;  // of the number's disc, in ball radii
     int spots = 0;              // small red dots, as on training balls (0, 6)
 };
+constexpr auto fields_of(Describes<BallTexture>) {
+    using T = BallTexture;
+    return fields<T>(field("colour", &T::colour), field("white", &T::white),
+                     field("striped", &T::striped), field("number", &T::number),
+                     field("disc_radius", &T::disc_radius), field("spots", &T::spots));
+}
 
 /// Woven cloth with a nap: small variations of colour in world or object xy.
 struct ClothTexture {
@@ -41,6 +56,11 @@ struct ClothTexture {
     double thread = 0.0008;   // spacing of the weave, m
     double variation = 0.15;  // relative
 };
+constexpr auto fields_of(Describes<ClothTexture>) {
+    using T = ClothTexture;
+    return fields<T>(field("colour", &T::colour), field("thread", &T::thread),
+                     field("variation", &T::variation));
+}
 
 struct WoodTexture {
     Vec3 light{0.35, 0.17, 0.07};
@@ -48,12 +68,21 @@ struct WoodTexture {
     double ring = 0.012;  // mean spacing of the grain, m
     Vec3 grain{1, 0, 0};  // direction of the grain in object axes
 };
+constexpr auto fields_of(Describes<WoodTexture>) {
+    using T = WoodTexture;
+    return fields<T>(field("light", &T::light), field("dark", &T::dark), field("ring", &T::ring),
+                     field("grain", &T::grain));
+}
 
 struct CheckerTexture {
     Vec3 even{0.8, 0.8, 0.8};
     Vec3 odd{0.2, 0.2, 0.2};
     double size = 0.1;  // of a square, m
 };
+constexpr auto fields_of(Describes<CheckerTexture>) {
+    using T = CheckerTexture;
+    return fields<T>(field("even", &T::even), field("odd", &T::odd), field("size", &T::size));
+}
 
 /// A colour, constant or varying over the surface.
 using ColourSource =
@@ -64,6 +93,10 @@ struct Coat {
     double ior = 1.5;      // [1, 3]
     double roughness = 0;  // [0, 1]
 };
+constexpr auto fields_of(Describes<Coat>) {
+    return fields<Coat>(field("weight", &Coat::weight), field("ior", &Coat::ior),
+                        field("roughness", &Coat::roughness));
+}
 
 /// Layers from the bottom up: diffuse base, metal or glass, sheen, coat. Glass fills the inside of
 /// a closed surface with outward normals.
@@ -84,6 +117,16 @@ struct StandardMaterial {
     Coat coat;
     Vec3 emission{0, 0, 0};  // radiance of its front, W/(m^2 sr)
 };
+constexpr auto fields_of(Describes<StandardMaterial>) {
+    using T = StandardMaterial;
+    return fields<T>(field("base", &T::base), field("metal", &T::metal),
+                     field("roughness", &T::roughness), field("specular", &T::specular),
+                     field("transmission", &T::transmission), field("ior", &T::ior),
+                     field("transmission_colour", &T::transmission_colour),
+                     field("transmission_depth", &T::transmission_depth), field("sheen", &T::sheen),
+                     field("sheen_colour", &T::sheen_colour), field("bump", &T::bump),
+                     field("coat", &T::coat), field("emission", &T::emission));
+}
 
 /// The classic model: the terms of Phong 1975, "Illumination for computer generated pictures", and
 /// the reflected and refracted rays of Whitted 1980 ("An improved illumination model for shaded
@@ -103,6 +146,16 @@ struct PhongMaterial {
     double index = 1.5;               // of refraction, of the inside over the outside, [0.1, 10]
     Vec3 emission{0, 0, 0};           // radiance of its front, W/(m^2 sr)
 };
+constexpr auto fields_of(Describes<PhongMaterial>) {
+    using T = PhongMaterial;
+    return fields<T>(field("ambient", &T::ambient), field("diffuse", &T::diffuse),
+                     field("specular", &T::specular), field("shininess", &T::shininess),
+                     field("reflectance", &T::reflectance),
+                     field("reflectance_spread", &T::reflectance_spread),
+                     field("transmittance", &T::transmittance),
+                     field("transmittance_spread", &T::transmittance_spread),
+                     field("index", &T::index), field("emission", &T::emission));
+}
 
 inline constexpr double kWidestPhongSpread = 1.5;  // rad
 
@@ -111,5 +164,10 @@ struct MaterialDescription {
     StandardMaterial surface;
     std::optional<PhongMaterial> phong{};  // if set, replaces `surface`
 };
+constexpr auto fields_of(Describes<MaterialDescription>) {
+    using T = MaterialDescription;
+    return fields<T>(unhashed("name", &T::name, "only mattes show it: frame_key adds it for them"),
+                     field("surface", &T::surface), field("phong", &T::phong));
+}
 
 }  // namespace carom::render

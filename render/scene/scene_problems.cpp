@@ -1,17 +1,13 @@
 #include "render/scene/scene_problems.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <sstream>
 #include <string>
 
 namespace carom::render {
 
 namespace {
-
-constexpr double kLargestSkew = 1e-6;  // cosine between two sides of a rectangle light
 
 bool is_black(const Vec3& colour) {
     return colour == Vec3(0, 0, 0);
@@ -33,71 +29,41 @@ bool is_emissive(const MaterialDescription& material) {
     return !is_black(material.phong ? material.phong->emission : material.surface.emission);
 }
 
+/// Radiance, intensity or irradiance.
+template <class Light>
+Vec3 brightness_of(const Light& light) {
+    if constexpr (requires { light.radiance; }) {
+        return light.radiance;
+    } else if constexpr (requires { light.intensity; }) {
+        return light.intensity;
+    } else {
+        return light.irradiance;
+    }
+}
+
 bool is_radiance(const Vec3& c) {
     // The condition is written so that NaN is invalid.
     const auto valid = [](double x) { return x >= 0 && x < 1e30; };
     return valid(c.x) && valid(c.y) && valid(c.z);
 }
 
-/// The problems of one light.
-class LightCheck {
-  public:
-    LightCheck(const std::string& name, std::vector<Diagnostic>& problems)
-        : name_(name), problems_(problems) {}
-
-    void operator()(const RectangleLight& light) {
-        const Vec3& u = light.edge_u;
-        const Vec3& v = light.edge_v;
-        const Vec3& n = light.normal;
-        const double area = u.length() * v.length();
-        if (!require(area > 0 && std::isfinite(area), "rectangle", "the rectangle has no area")) {
-            return;
-        }
-        const double skew =
-            std::max({std::abs(u.normalized().dot(v.normalized())), std::abs(u.normalized().dot(n)),
-                      std::abs(v.normalized().dot(n)), std::abs(n.length() - 1)});
-        require(skew < kLargestSkew, "rectangle",
-                "edges and normal of the rectangle are not at right angles to each other");
-        require_radiance(light.radiance);
-    }
-    void operator()(const SphereLight& light) {
-        require(light.radius > 0 && std::isfinite(light.radius), "sphere",
-                "the radius is not above 0");
-        require_radiance(light.radiance);
-    }
-    void operator()(const EnvironmentLight& light) {
-        require(std::isfinite(light.rotation), "rotation", "the rotation is not a number");
-        require_radiance(light.radiance);
-    }
-    void operator()(const PointLight& light) { require_radiance(light.intensity); }
-    void operator()(const SpotLight& light) {
-        require(light.direction.length() > 1e-9, "facing", "the axis has no length");
-        require(light.inner_angle >= 0 && light.inner_angle <= light.outer_angle &&
-                    light.outer_angle > 0 && light.outer_angle <= std::numbers::pi,
-                "angle", "the angles are not 0 <= inner <= outer <= 180 degrees");
-        require_radiance(light.intensity);
-    }
-    void operator()(const DirectionalLight& light) {
-        require(light.direction.length() > 1e-9, "facing", "the direction has no length");
-        require_radiance(light.irradiance);
-    }
-
-  private:
-    bool require(bool holds, const char* field, const char* what) {
-        if (!holds) {
-            problems_.push_back(
-                {{Subject::Kind::light, name_}, field, "light '" + name_ + "': " + what});
-        }
-        return holds;
-    }
-    void require_radiance(const Vec3& radiance) {
-        require(is_radiance(radiance), "radiance",
-                "the radiance is negative, infinite or not a number");
-    }
-
-    const std::string& name_;
-    std::vector<Diagnostic>& problems_;
-};
+void add_problems(const LightDescription& light, std::vector<Diagnostic>& problems) {
+    const auto add = [&](const LightProblem& problem) {
+        problems.push_back({{Subject::Kind::light, light.name},
+                            problem.field,
+                            "light '" + light.name + "': " + problem.what});
+    };
+    std::visit(
+        [&](const auto& one) {
+            if (const LightProblem problem = problem_of(one); problem.what != nullptr) {
+                add(problem);
+            }
+            if (!is_radiance(brightness_of(one))) {
+                add({"radiance", "the radiance is negative, infinite or not a number"});
+            }
+        },
+        light.light);
+}
 
 }  // namespace
 
@@ -121,7 +87,7 @@ std::vector<Diagnostic> find_problems(const std::vector<LightDescription>& light
     std::vector<Diagnostic> problems;
     const LightDescription* environment = nullptr;
     for (const LightDescription& light : lights) {
-        std::visit(LightCheck(light.name, problems), light.light);
+        add_problems(light, problems);
         if (!std::holds_alternative<EnvironmentLight>(light.light)) {
             continue;
         }

@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "pipeline/store/frame_key.h"
-#include "render/scene/scene_fields.h"
 #include "tests/core/field_changes.h"
 #include "tests/scratch_folder.h"
 
