@@ -37,7 +37,7 @@ std::string kernels_plot_svg(const KernelMeasurements& measured, PlanPage page) 
     chart.explanation =
         "Millions of tests per second of CPU time, with the division where it is faster";
     for (const Packing packing : kPackings) {
-        chart.series.emplace_back(title_of(packing));
+        chart.series.emplace_back(title(packing));
     }
     for (const Precision precision : kPrecisions) {
         for (const bool is_random : {true, false}) {
@@ -51,7 +51,7 @@ std::string kernels_plot_svg(const KernelMeasurements& measured, PlanPage page) 
                 }
                 if (chart.panels.empty()) {
                     chart.groups.push_back(std::string(title(form.kernel)) + ", " +
-                                           title_of(form.input));
+                                           std::string(title(form.input)));
                 }
                 std::vector<double> bars;
                 bars.reserve(kPackings.size());

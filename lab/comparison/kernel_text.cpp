@@ -20,7 +20,7 @@ enum class Rays { random, worst };
 std::vector<std::string> header(const std::string& first) {
     std::vector<std::string> cells{first};
     for (const Packing packing : kPackings) {
-        cells.emplace_back(title_of(packing));
+        cells.emplace_back(title(packing));
     }
     return cells;
 }
@@ -38,7 +38,7 @@ std::string rates_table(const KernelMeasurements& measured, Rays rays, Precision
                            std::string(name(precision))));
     int known = 0;
     for (const Form& form : all_forms()) {
-        std::vector<std::string> cells{title_of(form)};
+        std::vector<std::string> cells{title(form)};
         bool is_row = false;
         for (const Packing packing : kPackings) {
             const VariantRates* rates = find(measured, {form, packing, precision});
@@ -86,7 +86,7 @@ std::string percent_text(double fraction) {
 
 void add_errors(TextTable& table, const KernelMeasurements& measured, const Form& form,
                 Technique technique) {
-    std::string name_text = title_of(form);
+    std::string name_text = title(form);
     if (technique != Technique::plain) {
         name_text += ", " + std::string(name(technique));
     }
@@ -159,12 +159,12 @@ std::string cell_of(const KernelRatio& ratio) {
 }
 
 /// The ratios with this technique and precision, a form in each row.
-std::string ratios_table(const std::vector<KernelRatio>& ratios, const std::string& title,
+std::string ratios_table(const std::vector<KernelRatio>& ratios, const std::string& heading,
                          Technique technique, Precision precision) {
-    TextTable table(header(title));
+    TextTable table(header(heading));
     bool is_empty = true;
     for (const Form& form : all_forms()) {
-        std::vector<std::string> cells{title_of(form)};
+        std::vector<std::string> cells{title(form)};
         bool is_row = false;
         for (const Packing packing : kPackings) {
             const auto at = std::ranges::find(ratios, Variant{form, packing, precision, technique},
@@ -184,8 +184,8 @@ std::string techniques_tables(const KernelMeasurements& measured) {
     const std::vector<KernelRatio> ratios = techniques_against_plain(measured);
     std::string text;
     for (const Technique technique : kTechniques) {
-        text += ratios_table(ratios, std::string(title_of(technique)) + ", times as fast",
-                             technique, Precision::single_precision);
+        text += ratios_table(ratios, std::string(title(technique)) + ", times as fast", technique,
+                             Precision::single_precision);
     }
     if (text.empty()) {
         return text;
@@ -218,7 +218,7 @@ std::string memory_table(const KernelMeasurements& measured) {
             })) {
             continue;
         }
-        table.add({std::string(title(memory.kernel)) + ", " + title_of(memory.input),
+        table.add({fmt::format("{}, {}", title(memory.kernel), title(memory.input)),
                    std::to_string(memory.numbers) + (memory.has_axis ? " and axis" : ""),
                    std::to_string(memory.bytes_float), std::to_string(memory.bytes_one_axis),
                    std::to_string(memory.bytes_in_block), std::to_string(memory.bytes_double)});

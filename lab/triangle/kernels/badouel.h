@@ -15,9 +15,8 @@ struct Badouel {
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.normal.at[0], self.normal.at[1], self.normal.at[2], self.plane,
-                            self.a_u, self.a_v, self.edge_b_u, self.edge_b_v, self.edge_c_u,
-                            self.edge_c_v);
+            return numbers_in(self.normal, self.plane, self.a_u, self.a_v, self.edge_b_u,
+                              self.edge_b_v, self.edge_c_u, self.edge_c_v);
         }
     };
 

@@ -3,33 +3,7 @@
 /// triangles", from perpendicular products within the plane. The weights are computed from products
 /// of the edges with each other and with the point, without an axis:
 ///   u = ((b.c)(p.c) - (c.c)(p.b)) / ((b.c)^2 - (b.b)(c.c)),  v likewise with b and c exchanged.
-struct Keidy {
-    template <class L>
-    struct Record {
-        static constexpr bool kHasAxis = false;
-        Triple<typename L::Value> a, edge_b, edge_c, normal;
-
-        template <class Self>
-        [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.a.at[0], self.a.at[1], self.a.at[2], self.edge_b.at[0],
-                            self.edge_b.at[1], self.edge_b.at[2], self.edge_c.at[0],
-                            self.edge_c.at[1], self.edge_c.at[2], self.normal.at[0],
-                            self.normal.at[1], self.normal.at[2]);
-        }
-    };
-
-    template <class L>
-    CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
-        const auto edge_b = corners.b - corners.a;
-        const auto edge_c = corners.c - corners.a;
-        return {corners.a, edge_b, edge_c, cross(edge_b, edge_c)};
-    }
-    template <class L>
-    CAROM_KERNEL static Record<L> prepare(const CornersAndNormal<L>& input) {
-        const Corners<L>& corners = input.corners;
-        return {corners.a, corners.b - corners.a, corners.c - corners.a, input.normal};
-    }
-
+struct Keidy : EdgesAndNormal {
     template <Division kDivision, class L>
     CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto from_a = ray.origin - triangle.a;

@@ -11,10 +11,7 @@ struct KenslerShirley {
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.a.at[0], self.a.at[1], self.a.at[2], self.edge_b.at[0],
-                            self.edge_b.at[1], self.edge_b.at[2], self.from_c.at[0],
-                            self.from_c.at[1], self.from_c.at[2], self.normal.at[0],
-                            self.normal.at[1], self.normal.at[2]);
+            return numbers_in(self.a, self.edge_b, self.from_c, self.normal);
         }
     };
 

@@ -17,10 +17,8 @@ struct PerpendicularPlanes {
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.normal.at[0], self.normal.at[1], self.normal.at[2], self.plane,
-                            self.normal_b.at[0], self.normal_b.at[1], self.normal_b.at[2], self.b_d,
-                            self.normal_c.at[0], self.normal_c.at[1], self.normal_c.at[2],
-                            self.c_d);
+            return numbers_in(self.normal, self.plane, self.normal_b, self.b_d, self.normal_c,
+                              self.c_d);
         }
     };
 
