@@ -38,7 +38,7 @@ class SingleTriangles<Kernel, kInput, Technique::arrays, L> {
         : numbers_(triangles.size()) {
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             const auto triangle = scalar::make_input<Kernel, kInput, L>(triangles[i]);
-            store(Given::numbers(triangle), i, Indices());
+            store_numbers(Given::numbers(triangle), numbers_, i, Indices());
             if constexpr (Given::kHasAxis) {
                 axes_.push_back(triangle.axis);
             }
@@ -54,10 +54,6 @@ class SingleTriangles<Kernel, kInput, Technique::arrays, L> {
     }
 
   private:
-    template <class Numbers, std::size_t... kIndices>
-    void store(Numbers numbers, std::size_t index, std::index_sequence<kIndices...>) {
-        ((*numbers_.place(index, kIndices) = std::get<kIndices>(numbers)), ...);
-    }
     template <class Numbers, std::size_t... kIndices>
     [[gnu::always_inline]] void load(Numbers numbers, std::size_t index,
                                      std::index_sequence<kIndices...>) const {

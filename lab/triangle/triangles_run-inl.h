@@ -15,12 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::triangle::HWY_NAMESPACE {
 
-template <class Numbers, class Table, std::size_t... kIndices>
-void store_numbers(Numbers numbers, Table& table, std::size_t item,
-                   std::index_sequence<kIndices...>) {
-    ((*table.place(item, kIndices) = std::get<kIndices>(numbers)), ...);
-}
-
 template <class D, class Numbers, class Table, std::size_t... kIndices>
 HWY_INLINE void load_numbers(Numbers numbers, const Table& table, std::size_t item,
                              std::index_sequence<kIndices...>) {

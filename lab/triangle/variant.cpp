@@ -66,14 +66,4 @@ std::string title(const Form& form) {
     return fmt::format("{}, {}, {}", title(form.kernel), title(form.input), name(form.division));
 }
 
-std::optional<KernelName> find_kernel(std::string_view name) {
-    const auto found = std::ranges::find(kKernels, name, &KernelFacts::name);
-    return found == kKernels.end() ? std::nullopt : std::optional(found->kernel);
-}
-
-std::optional<Technique> find_technique(std::string_view name) {
-    const auto found = std::ranges::find(kTechniqueNames, name, &Named<Technique>::name);
-    return found == kTechniqueNames.end() ? std::nullopt : std::optional(found->value);
-}
-
 }  // namespace carom::render::triangle

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -147,9 +146,5 @@ struct Variant {
 [[nodiscard]] std::string_view title(Technique technique);
 /// "Wald, record, early"
 [[nodiscard]] std::string title(const Form& form);
-
-/// Empty if the name is unknown.
-[[nodiscard]] std::optional<KernelName> find_kernel(std::string_view name);
-[[nodiscard]] std::optional<Technique> find_technique(std::string_view name);
 
 }  // namespace carom::render::triangle
