@@ -11,10 +11,13 @@ bool FrameMeter::can_count(AccelerationKind kind) {
     return kind != AccelerationKind::hybrid && kind != AccelerationKind::embree;
 }
 
-MeasuredFrame FrameMeter::measure(render::RenderSettings settings, AccelerationKind kind,
-                                  bool counts, const render::StructureOptions& options,
-                                  const WorkContext& context) {
-    MeasuredFrame result;
+ComparedStructure FrameMeter::measure(render::RenderSettings settings, AccelerationKind kind,
+                                      bool counts, const render::StructureOptions& options,
+                                      const WorkContext& context) {
+    ComparedStructure result;
+    result.name = name_of(kind);
+    result.shadow_rays = options.shadow_rays_stop ? ShadowRays::any : ShadowRays::closest;
+    result.is_counted = counts;
     arena_.execute([&] {
         if (!structure_ || structure_->kind() != kind) {
             prepared_.reset();
@@ -28,7 +31,7 @@ MeasuredFrame FrameMeter::measure(render::RenderSettings settings, AccelerationK
     });
     result.build_seconds = structure_->build_seconds();
     result.bytes = structure_->bytes();
-    result.counts = structure_->take_counts();
+    result.tests = structure_->take_counts();
     return result;
 }
 

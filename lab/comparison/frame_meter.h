@@ -11,13 +11,6 @@
 
 namespace carom::pipeline {
 
-struct MeasuredFrame {
-    double build_seconds = 0;   // CPU time
-    std::size_t bytes = 0;      // without the shapes themselves
-    render::TestCounts counts;  // if tests are counted
-    double cpu_seconds = 0;     // of the frame, all threads; excluding the build
-};
-
 class FrameMeter {
   public:
     /// Refers to the scene. `threads`: 0 for one per processor.
@@ -27,11 +20,11 @@ class FrameMeter {
     [[nodiscard]] static bool can_count(render::AccelerationKind kind);
 
     /// `settings`: those of the scene, or of a part of its picture; `counts`: whether tests are
-    /// counted. Throws Error, Stopped.
-    [[nodiscard]] MeasuredFrame measure(render::RenderSettings settings,
-                                        render::AccelerationKind kind, bool counts,
-                                        const render::StructureOptions& options,
-                                        const WorkContext& context);
+    /// counted, which takes time. Throws Error, Stopped.
+    [[nodiscard]] ComparedStructure measure(render::RenderSettings settings,
+                                            render::AccelerationKind kind, bool counts,
+                                            const render::StructureOptions& options,
+                                            const WorkContext& context);
 
   private:
     const LaboratoryScene& scene_;

@@ -111,17 +111,10 @@ std::vector<std::size_t> wanted_sizes(std::size_t largest) {
     return sizes;
 }
 
-LaboratoryScene scene_of(GrowingScene scene, std::size_t size) {
-    switch (scene) {
-        case GrowingScene::spheres:
-            return sphere_cloud(size);
-        case GrowingScene::balls:
-            return ball_cloud(size);
-        case GrowingScene::mesh:
-            break;
-    }
-    return single_knot(size);
-}
+constexpr std::array<GrowingSceneFacts, 3> kScenes{
+    {{GrowingScene::spheres, "spheres", "spheres", "spheres in a cube", sphere_cloud},
+     {GrowingScene::mesh, "mesh", "triangles", "triangles of a torus knot", single_knot},
+     {GrowingScene::balls, "balls", "balls", "balls in a cube, half of them moving", ball_cloud}}};
 
 std::size_t shapes_of(const LaboratoryScene& scene) {
     const auto* mesh = std::get_if<render::MeshShape>(&scene.scene.objects.front().shape);
@@ -154,7 +147,7 @@ std::vector<Variant> variants_of(const GrowthOptions& options) {
 
 void measure_size(std::size_t size, const GrowthOptions& options, const std::stop_token& stop,
                   const std::function<void(std::string_view)>& tell, Growth& growth) {
-    const LaboratoryScene scene = scene_of(options.scene, size);
+    const LaboratoryScene scene = facts(options.scene).make(size);
     const std::size_t shapes = shapes_of(scene);
     RaysByKind rays;
     {
@@ -185,6 +178,14 @@ void measure_size(std::size_t size, const GrowthOptions& options, const std::sto
 }
 
 }  // namespace
+
+std::span<const GrowingSceneFacts> growing_scenes() {
+    return kScenes;
+}
+
+const GrowingSceneFacts& facts(GrowingScene scene) {
+    return *std::ranges::find(kScenes, scene, &GrowingSceneFacts::scene);
+}
 
 std::vector<std::size_t> Growth::sizes() const {
     std::vector<std::size_t> sizes;

@@ -118,6 +118,10 @@ bool has_triangle_tests(AccelerationKind kind) {
            kind != AccelerationKind::wide_bvh;
 }
 
+bool depends_on(AccelerationKind kind, VariedSize size) {
+    return std::ranges::find(kAccelerationNames, kind, &AccelerationName::kind)->size == size;
+}
+
 AccelerationKind structure_kind(const std::string& name) {
     const auto found = std::ranges::find(kAccelerationNames, name, &AccelerationName::name);
     if (found == kAccelerationNames.end()) {

@@ -30,6 +30,9 @@ struct MadeStructure {
 /// Whether its triangles are tested one by one, by StructureOptions::triangle_test.
 [[nodiscard]] bool has_triangle_tests(AccelerationKind kind);
 
+/// Whether the structure depends on this size.
+[[nodiscard]] bool depends_on(AccelerationKind kind, VariedSize size);
+
 /// Throws Error that lists the names if there is none.
 [[nodiscard]] AccelerationKind structure_kind(const std::string& name);
 

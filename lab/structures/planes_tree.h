@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "lab/structures/boxes.h"
@@ -18,7 +21,13 @@ class PlanesTree {
   public:
     using Normals = std::array<V3f, kNormals>;
 
-    explicit PlanesTree(const Normals& normals) : normals_(normals) {}
+    /// Without nodes.
+    PlanesTree(const Normals& normals, std::vector<Imath::Box3f> boxes_of_shapes)
+        : boxes(std::move(boxes_of_shapes)), normals_(normals) {
+        for (const Imath::Box3f& box : boxes) {
+            bounds.extendBy(box);
+        }
+    }
 
     struct Node {
         double offset = 0;         // of the plane: normal . p = offset
@@ -32,8 +41,33 @@ class PlanesTree {
     std::vector<Node> nodes;          // the root first; none without shapes
     std::vector<std::uint32_t> shapes;
 
+    using Members = std::vector<std::uint32_t>;
+
+    [[nodiscard]] Members all_shapes() const {
+        Members all(boxes.size());
+        std::iota(all.begin(), all.end(), 0u);
+        return all;
+    }
+    /// The depth found by Havran 2000, "Heuristic ray shooting algorithms", section 4.5. Requires a
+    /// shape.
+    [[nodiscard]] int most_levels() const {
+        return 8 + static_cast<int>(1.3 * std::log2(static_cast<double>(boxes.size())));
+    }
+    /// Adds a node, then what `build_low` and `build_high` add, which return their node. Returns
+    /// the index.
+    template <class BuildLow, class BuildHigh>
+    std::uint32_t add_node(float offset, std::size_t normal, const BuildLow& build_low,
+                           const BuildHigh& build_high) {
+        const auto index = static_cast<std::uint32_t>(nodes.size());
+        nodes.push_back({static_cast<double>(offset), static_cast<std::uint32_t>(normal), 0, 0});
+        const std::uint32_t low = build_low();
+        const std::uint32_t high = build_high();
+        nodes[index].low = low;
+        nodes[index].high = high;
+        return index;
+    }
     /// Returns its index.
-    std::uint32_t add_leaf(const std::vector<std::uint32_t>& members) {
+    std::uint32_t add_leaf(const Members& members) {
         nodes.push_back({0, kNormals, static_cast<std::uint32_t>(shapes.size()),
                          static_cast<std::uint32_t>(members.size())});
         shapes.insert(shapes.end(), members.begin(), members.end());
