@@ -39,11 +39,12 @@ void check_outputs(const CompareCommand& command) {
 template <class Result>
 void write_result(const CompareCommand& command, const Result& result, bool is_empty) {
     if (!is_empty) {
-        write_text_output(command.output.empty() ? "-" : command.output,
-                          command.json ? report_json(result) : pipeline::report_text(result));
+        write_text_output(
+            command.output.empty() ? "-" : command.output,
+            command.json ? report_data(result).json() : pipeline::report_text(result));
     }
     if (!is_empty && !command.csv.empty()) {
-        write_text_output(command.csv, report_csv(result));
+        write_text_output(command.csv, report_data(result).csv());
     }
     if (!is_empty && !command.plot.empty()) {
         const auto page = page_of(command.drawing.page, command.plot);

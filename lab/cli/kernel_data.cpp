@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "lab/cli/data_row.h"
 #include "lab/cli/report_data.h"
 #include "lab/comparison/kernel_ratios.h"
 #include "lab/triangle/memory.h"
@@ -55,7 +54,7 @@ std::vector<DataRow> rows_of(const KernelMeasurements& measured) {
     return rows;
 }
 
-std::string json_of(const std::vector<KernelRatio>& ratios) {
+std::vector<DataRow> rows_of(const std::vector<KernelRatio>& ratios) {
     std::vector<DataRow> rows;
     for (const KernelRatio& ratio : ratios) {
         DataRow& row = rows.emplace_back(row_of(ratio.variant));
@@ -64,10 +63,10 @@ std::string json_of(const std::vector<KernelRatio>& ratios) {
             row.add("streamed_ratio", ratio.streamed);
         }
     }
-    return DataRow::json(rows);
+    return rows;
 }
 
-std::string memory_json() {
+std::vector<DataRow> memory_rows() {
     std::vector<DataRow> rows;
     for (const InputMemory& memory : memory_of_inputs()) {
         rows.emplace_back()
@@ -80,24 +79,20 @@ std::string memory_json() {
             .add("bytes_in_block", memory.bytes_in_block)
             .add("bytes_double", memory.bytes_double);
     }
-    return DataRow::json(rows);
+    return rows;
 }
 
 }  // namespace
 
-std::string report_json(const KernelMeasurements& measured) {
+ReportData report_data(const KernelMeasurements& measured) {
     const std::size_t rounds = measured.rates.empty() ? 0 : measured.rates.front().worst.size();
-    return "{" + DataRow().add("whole", measured.is_whole).add("rounds", rounds).members().text() +
-           ",\n\"kernels\":" + DataRow::json(rows_of(measured)) +
-           ",\n\"planes_against_wald\":" + json_of(planes_against_wald(measured)) +
-           ",\n\"techniques_against_plain\":" + json_of(techniques_against_plain(measured)) +
-           ",\n\"second_against_first_compiler\":" +
-           json_of(second_against_first_compiler(measured)) + ",\n\"memory\":" + memory_json() +
-           "}\n";
-}
-
-std::string report_csv(const KernelMeasurements& measured) {
-    return DataRow::csv({}, rows_of(measured));
+    return {{},
+            DataRow().add("whole", measured.is_whole).add("rounds", rounds),
+            {{"kernels", rows_of(measured)},
+             {"planes_against_wald", rows_of(planes_against_wald(measured))},
+             {"techniques_against_plain", rows_of(techniques_against_plain(measured))},
+             {"second_against_first_compiler", rows_of(second_against_first_compiler(measured))},
+             {"memory", memory_rows()}}};
 }
 
 }  // namespace carom::cli

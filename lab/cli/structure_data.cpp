@@ -1,4 +1,3 @@
-#include "lab/cli/data_row.h"
 #include "lab/cli/report_data.h"
 
 namespace carom::cli {
@@ -93,24 +92,12 @@ std::vector<DataRow> rows_of(const pipeline::Motion& motion) {
     return rows;
 }
 
-/// The column before all others, which is the first member of the object.
 DataRow first_of(const Comparison& comparison) {
     return DataRow().add("scene", comparison.name);
 }
 
-DataRow first_of(const pipeline::SizeCurve& curve) {
-    return first_of(curve.comparisons.front());
-}
-
-DataRow first_of(const pipeline::Growth& growth) {
-    return DataRow().add("growth", facts(growth.scene).name);
-}
-
-DataRow first_of(const pipeline::Motion& motion) {
-    return DataRow().add("balls", motion.balls);
-}
-
-void add_scene(DataRow& row, const Comparison& comparison) {
+DataRow scene_of(const Comparison& comparison) {
+    DataRow row;
     row.add("what", comparison.what)
         .add("width", comparison.width)
         .add("height", comparison.height)
@@ -118,53 +105,34 @@ void add_scene(DataRow& row, const Comparison& comparison) {
     for (std::size_t i = 0; i < render::kRayKindNames.size(); ++i) {
         row.add(std::string(render::kRayKindNames[i]) + "_rays", comparison.rays.of[i].rays);
     }
-}
-
-std::string object_of(DataRow& first, bool is_whole, const char* name,
-                      const std::vector<DataRow>& rows) {
-    first.add("whole", is_whole);
-    return "{" + first.members().text() + ",\n\"" + name + "\":" + DataRow::json(rows) + "}\n";
+    return row;
 }
 
 }  // namespace
 
-std::string report_json(const Comparison& comparison) {
-    DataRow first = first_of(comparison);
-    add_scene(first, comparison);
-    return object_of(first, comparison.is_whole, "structures", rows_of(comparison));
+ReportData report_data(const Comparison& comparison) {
+    return {first_of(comparison),
+            scene_of(comparison).add("whole", comparison.is_whole),
+            {{"structures", rows_of(comparison)}}};
 }
 
-std::string report_json(const pipeline::SizeCurve& curve) {
-    DataRow first = first_of(curve);
-    add_scene(first, curve.comparisons.front());
-    first.add("varied", facts(curve.size).name);
-    return object_of(first, curve.is_whole, "points", rows_of(curve));
+ReportData report_data(const pipeline::SizeCurve& curve) {
+    const Comparison& first = curve.comparisons.front();
+    return {first_of(first),
+            scene_of(first).add("varied", facts(curve.size).name).add("whole", curve.is_whole),
+            {{"points", rows_of(curve)}}};
 }
 
-std::string report_json(const pipeline::Growth& growth) {
-    DataRow first = first_of(growth);
-    return object_of(first, growth.is_whole, "points", rows_of(growth));
+ReportData report_data(const pipeline::Growth& growth) {
+    return {DataRow().add("growth", facts(growth.scene).name),
+            DataRow().add("whole", growth.is_whole),
+            {{"points", rows_of(growth)}}};
 }
 
-std::string report_json(const pipeline::Motion& motion) {
-    DataRow first = first_of(motion);
-    return object_of(first, motion.is_whole, "points", rows_of(motion));
-}
-
-std::string report_csv(const Comparison& comparison) {
-    return DataRow::csv(first_of(comparison), rows_of(comparison));
-}
-
-std::string report_csv(const pipeline::SizeCurve& curve) {
-    return DataRow::csv(first_of(curve), rows_of(curve));
-}
-
-std::string report_csv(const pipeline::Growth& growth) {
-    return DataRow::csv(first_of(growth), rows_of(growth));
-}
-
-std::string report_csv(const pipeline::Motion& motion) {
-    return DataRow::csv(first_of(motion), rows_of(motion));
+ReportData report_data(const pipeline::Motion& motion) {
+    return {DataRow().add("balls", motion.balls),
+            DataRow().add("whole", motion.is_whole),
+            {{"points", rows_of(motion)}}};
 }
 
 }  // namespace carom::cli

@@ -14,8 +14,8 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kTop = 34;  // of the panels below a legend of up to two lines, mm
-constexpr double kTick = 9;  // between the powers of ten on an axis, at least
+constexpr double kTop = 34;   // of the panels below a legend of up to two lines, mm
+constexpr double kTick = 10;  // between the numbers of an axis, at least
 constexpr double kFontSize = 2.6;
 
 // Of curves:
@@ -181,13 +181,17 @@ int ChartAxis::highest() const {
 double ChartAxis::step() const {
     const double length = std::abs(to_ - from_);
     return is_logarithmic_ ? std::max(1.0, std::ceil(kTick * (highest() - lowest()) / length))
-                           : round_number(1.5 * kTick * std::max(most_, 1e-9) / length);
+                           : round_number(kTick * std::max(most_, 1e-9) / length);
+}
+
+double ChartAxis::steps() const {
+    return std::ceil(std::max(most_, 1e-9) / step() - 1e-9);
 }
 
 double ChartAxis::at(double value) const {
     const double fraction = is_logarithmic_
                                 ? (std::log10(value) - lowest()) / (highest() - lowest())
-                                : value / (step() * std::ceil(std::max(most_, 1e-9) / step()));
+                                : value / (step() * steps());
     return from_ + (to_ - from_) * std::clamp(fraction, 0.0, 1.0);
 }
 
@@ -199,7 +203,7 @@ std::vector<ChartAxis::Tick> ChartAxis::ticks() const {
         }
         return ticks;
     }
-    for (int i = 0; (i - 1) * step() < most_ * (1 - 1e-9); ++i) {
+    for (int i = 0; i <= static_cast<int>(steps()); ++i) {
         ticks.push_back({at(i * step()), fmt::format("{:g}", i * step())});
     }
     return ticks;
@@ -247,7 +251,7 @@ std::string bar_chart_svg(const Chart& chart, const std::vector<std::string>& gr
                    [&](const ChartPanel& panel, double left, double right) {
                        const ChartAxis axis = axis_of(panel, left, right - kValue);
                        write(svg, panel.title, "head", left, kTop - 3);
-                       draw_axis(svg, axis, true, kTop, bottom);
+                       draw_axis(svg, axis, true, kTop - 1, bottom);
                        draw_bars(svg, panel, axis, left, height);
                    });
     });

@@ -29,7 +29,8 @@ class ChartAxis {
   private:
     [[nodiscard]] int lowest() const;  // exponents of the ends
     [[nodiscard]] int highest() const;
-    [[nodiscard]] double step() const;  // between ticks
+    [[nodiscard]] double step() const;   // between ticks
+    [[nodiscard]] double steps() const;  // of a linear axis
 
     bool is_logarithmic_;
     double from_, to_;

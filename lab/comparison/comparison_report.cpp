@@ -140,7 +140,7 @@ std::string report_plot(const Comparison& comparison, PlanPage page) {
         {},
         {{"object tests per ray", true, {}},
          {"box tests per ray", true, {}},
-         {"CPU time of the frame, s", false, {}, true}}};
+         {"CPU time of the frame, s", true, {}, true}}};
     const std::vector<std::size_t> kinds = kinds_of(comparison);
     for (const std::size_t kind : kinds) {
         chart.series.push_back(fmt::format("{} rays", render::kRayKindNames[kind]));

@@ -20,29 +20,9 @@ using render::Ray;
 
 constexpr std::size_t kRays = 20'000;
 
-/// The number of rays that hit something.
-std::size_t trace(const render::AccelerationStructure& structure, std::span<const Ray> rays) {
-    std::size_t count = 0;
+void trace(const render::AccelerationStructure& structure, const std::vector<Ray>& rays) {
     for (const Ray& ray : rays) {
-        count += hits(structure, ray) ? 1 : 0;
-    }
-    return count;
-}
-
-/// Batches of closest-hit queries, as in the product.
-void trace(const render::AccelerationStructure& structure, const std::vector<RayArrays>& arrays) {
-    for (const RayArrays& rays : arrays) {
-        std::array<render::Hit, kBatchRays> hits;
-        structure.closest_hits(rays.batch(), hits.data());
-    }
-}
-
-/// Batches of occlusion tests.
-void trace_shadows(const render::AccelerationStructure& structure,
-                   const std::vector<RayArrays>& arrays) {
-    for (const RayArrays& rays : arrays) {
-        RayArrays::Numbers t_max = rays.t_max();
-        structure.test_occlusion(rays.batch(), t_max.data());
+        static_cast<void>(hits(structure, ray));
     }
 }
 
@@ -57,22 +37,30 @@ std::vector<RayArrays> arrays_of(std::span<const Ray> rays) {
 
 void time_rays(const render::AccelerationStructure& structure, const RaysByKind& rays,
                double enough, const std::stop_token& stop, GrowthPoint& point) {
-    const auto per_ray = [](double seconds, std::size_t count) {
-        return count == 0 ? 0 : seconds / static_cast<double>(count);
+    const auto seconds_of_each = [&](const std::vector<Ray>& some, const auto& work) {
+        return least_seconds(work, enough, stop) /
+               static_cast<double>(std::max<std::size_t>(some.size(), 1));
     };
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const auto one_by_one = [&] { static_cast<void>(trace(structure, rays[i])); };
-        point.seconds_per_ray[i] = per_ray(least_seconds(one_by_one, enough, stop), rays[i].size());
+        point.seconds_per_ray[i] = seconds_of_each(rays[i], [&] { trace(structure, rays[i]); });
     }
+    // Batches of closest-hit queries and of occlusion tests, as in the product.
     std::vector<Ray> both = rays[0];
     both.insert(both.end(), rays[1].begin(), rays[1].end());
-    const std::vector<RayArrays> arrays = arrays_of(both);
-    const auto in_batches = [&] { trace(structure, arrays); };
-    point.seconds_per_ray_of_batch = per_ray(least_seconds(in_batches, enough, stop), both.size());
-    const std::vector<RayArrays> shadow_arrays = arrays_of(rays[2]);
-    const auto shadows_in_batches = [&] { trace_shadows(structure, shadow_arrays); };
-    point.seconds_per_shadow_ray_of_batch =
-        per_ray(least_seconds(shadows_in_batches, enough, stop), rays[2].size());
+    const std::vector<RayArrays> batches = arrays_of(both);
+    point.seconds_per_ray_of_batch = seconds_of_each(both, [&] {
+        for (const RayArrays& batch : batches) {
+            std::array<render::Hit, kBatchRays> hits;
+            structure.closest_hits(batch.batch(), hits.data());
+        }
+    });
+    const std::vector<RayArrays> shadow_batches = arrays_of(rays[2]);
+    point.seconds_per_shadow_ray_of_batch = seconds_of_each(rays[2], [&] {
+        for (const RayArrays& batch : shadow_batches) {
+            RayArrays::Numbers t_max = batch.t_max();
+            structure.test_occlusion(batch.batch(), t_max.data());
+        }
+    });
 }
 
 GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, const RaysByKind& rays,
@@ -92,7 +80,7 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, const 
         const FrameScene counting = measured.frame();
         for (const std::vector<Ray>& of_kind : rays) {
             check_stop(stop);
-            static_cast<void>(trace(counting.structure(), of_kind));
+            trace(counting.structure(), of_kind);
         }
         point.tests = measured.structure().take_counts();
     }

@@ -26,7 +26,7 @@ namespace carom::pipeline {
 [[nodiscard]] std::string report_text(const render::triangle::KernelMeasurements& measured);
 
 /// SVG documents, 297 mm wide. Bars for each structure, grouped by kind of ray: object tests per
-/// ray, box tests per ray, and CPU time.
+/// ray, box tests per ray, and CPU time; logarithmic.
 [[nodiscard]] std::string report_plot(const Comparison& comparison, PlanPage page);
 /// Tests of objects, tests of boxes and CPU time over the size.
 [[nodiscard]] std::string report_plot(const SizeCurve& curve, PlanPage page);

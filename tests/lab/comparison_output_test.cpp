@@ -133,10 +133,10 @@ TEST(ChartAxis, Linear_EndsAtARoundNumber) {
     ChartAxis axis(false, 0, 84);
     axis.add(0.7);
     const std::vector<ChartAxis::Tick> ticks = axis.ticks();
-    ASSERT_EQ(ticks.size(), 5u);
+    ASSERT_EQ(ticks.size(), 8u);
     EXPECT_EQ(ticks.front().text, "0");
     EXPECT_DOUBLE_EQ(ticks.front().at, 0);
-    EXPECT_EQ(ticks.back().text, "0.8");
+    EXPECT_EQ(ticks.back().text, "0.7");
     EXPECT_DOUBLE_EQ(ticks.back().at, 84);
 }
 
