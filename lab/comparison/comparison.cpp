@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "core/cpu_time.h"
 #include "core/error.h"
-#include "lab/comparison/frame_meter.h"
 #include "lab/comparison/named_list.h"
 #include "lab/structures/make_structure.h"
+#include "lab/structures/structure_meter.h"
 #include "lab/triangle/kernel_test.h"
+#include "render/frame/frame.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::pipeline {
 
@@ -59,6 +63,46 @@ RenderSettings scaled_down(RenderSettings settings, double fraction) {
     return settings;
 }
 
+/// Measures the cost of one frame with one structure.
+class FrameMeter {
+  public:
+    /// Refers to the scene. `threads`: 0 for one per processor.
+    FrameMeter(const LaboratoryScene& scene, int threads) : scene_(scene), arena_(threads) {}
+
+    /// `settings`: those of the scene, or of a part of its picture; `counts`: whether tests are
+    /// counted, which takes time. Throws Error, Stopped.
+    [[nodiscard]] ComparedStructure measure(RenderSettings settings, AccelerationKind kind,
+                                            bool counts, const render::StructureOptions& options,
+                                            const WorkContext& context) {
+        ComparedStructure result;
+        result.name = name_of(kind);
+        result.shadow_rays = options.shadow_rays_stop ? ShadowRays::any : ShadowRays::closest;
+        result.is_counted = counts;
+        arena_.execute([&] {
+            if (!structure_ || structure_->kind() != kind) {
+                prepared_.reset();
+                structure_.emplace(kind);
+                prepared_.emplace(scene_.scene, settings, structure_->maker());
+            }
+            structure_->set(counts, options);
+            const double start = process_cpu_seconds();
+            (void)render::render_frame(*prepared_, scene_.tracks, scene_.frame, settings, context);
+            result.cpu_seconds = process_cpu_seconds() - start - structure_->build_seconds();
+        });
+        result.build_seconds = structure_->build_seconds();
+        result.bytes = structure_->bytes();
+        result.tests = structure_->take_counts();
+        return result;
+    }
+
+  private:
+    const LaboratoryScene& scene_;
+    render::ThreadArena arena_;
+    // Of the last measurement: what frames share is reused for parts of a picture.
+    std::optional<render::StructureMeter> structure_;
+    std::optional<render::PreparedScene> prepared_;
+};
+
 class ComparisonRun {
   public:
     ComparisonRun(const LaboratoryScene& scene, const ComparisonOptions& options,
@@ -96,7 +140,7 @@ class ComparisonRun {
     void count_rays() {
         AccelerationKind kind = AccelerationKind::kd_tree;
         for (const AccelerationKind asked : options_.structures) {
-            if (!is_linear(asked) && FrameMeter::can_count(asked)) {
+            if (!is_linear(asked) && render::can_count(asked)) {
                 kind = asked;
                 break;
             }
@@ -118,7 +162,7 @@ class ComparisonRun {
         const bool is_computed = is_linear(kind) && all_tests > options_.most_tests;
         ComparedStructure row = is_computed ? computed(kind, shadow_rays, all_tests)
                                             : least_time(kind, shadow_rays, scene_.settings);
-        row.is_counted = FrameMeter::can_count(kind);
+        row.is_counted = render::can_count(kind);
         if (row.is_counted && !is_computed) {
             const auto found = counted_.find({kind, shadow_rays});
             row.tests =

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "lab/comparison/frame_meter.h"
 #include "lab/comparison/growth_rays.h"
 #include "lab/comparison/lane_limit.h"
 #include "lab/comparison/structure_timing.h"
@@ -74,7 +73,7 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, const 
         point.bytes = measured.structure().bytes();
         time_rays(frame.structure(), rays, enough, stop, point);
     }
-    point.is_counted = FrameMeter::can_count(kind);
+    point.is_counted = render::can_count(kind);
     if (point.is_counted) {
         measured.structure().set(true);
         const FrameScene counting = measured.frame();

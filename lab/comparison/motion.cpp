@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 
-#include "lab/comparison/frame_meter.h"
 #include "lab/comparison/growth_rays.h"
 #include "lab/comparison/structure_timing.h"
 #include "render/acceleration/flush_denormals.h"
@@ -155,7 +154,7 @@ class MotionRun {
         }
         point.build_seconds =
             least_build_seconds(measured, shutter, intervals, options_.enough_seconds);
-        point.is_counted = FrameMeter::can_count(kind);
+        point.is_counted = render::can_count(kind);
         if (point.is_counted) {
             measured.structure().set(true);
             const Parts counting(measured, shutter, intervals);

@@ -27,6 +27,9 @@ struct MadeStructure {
                                            std::span<const MeshEntry> meshes,
                                            const StructureOptions& options = {});
 
+/// Whether its tests can be counted.
+[[nodiscard]] bool can_count(AccelerationKind kind);
+
 /// Whether its triangles are tested one by one, by StructureOptions::triangle_test.
 [[nodiscard]] bool has_triangle_tests(AccelerationKind kind);
 

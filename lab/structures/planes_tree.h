@@ -79,7 +79,52 @@ class PlanesTree {
     }
 
     template <class Query>
-    void search(Query& query) const;
+    void search(Query& query) const {
+        float enter = 0;
+        if (nodes.empty() || !query.enters(bounds, enter)) {
+            return;
+        }
+        const Ray& ray = query.ray();
+        std::array<Projected, kNormals> along{};
+        for (std::size_t i = 0; i < kNormals; ++i) {
+            const Vec3 normal(normals_[i]);
+            along[i] = {normal.dot(Vec3(ray.origin)), normal.dot(Vec3(ray.direction))};
+        }
+        Mailbox mailbox;
+        std::vector<Part> stack;
+        stack.reserve(kReserve);
+        Part part{0, static_cast<double>(enter), static_cast<double>(kInfinity)};
+        for (;;) {
+            const Node& node = nodes[part.node];
+            query.note_node();
+            if (node.normal < kNormals) {
+                query.note_boxes(1);
+                const Projected& p = along[node.normal];
+                const bool is_low =
+                    p.origin < node.offset || (p.origin == node.offset && p.direction <= 0);
+                const std::uint32_t near = is_low ? node.low : node.high;
+                const std::uint32_t far = is_low ? node.high : node.low;
+                const double t = p.direction != 0 ? (node.offset - p.origin) / p.direction : -1;
+                if (!(t > 0) || t > part.to) {  // a ray from the plane itself has one side ahead
+                    part.node = near;
+                } else if (t < part.from) {
+                    part.node = far;
+                } else {
+                    stack.push_back({far, t, part.to});
+                    part = {near, part.from, t};
+                }
+                continue;
+            }
+            if (visit_leaf(node, mailbox, query)) {
+                return;
+            }
+            if (stack.empty() || query.is_beyond(stack.back().from)) {
+                return;
+            }
+            part = stack.back();
+            stack.pop_back();
+        }
+    }
 
   private:
     struct Part {
@@ -92,71 +137,18 @@ class PlanesTree {
     static constexpr std::size_t kReserve = 64;
 
     template <class Query>
-    [[nodiscard]] bool visit_leaf(const Node& leaf, Mailbox& mailbox, Query& query) const;
+    [[nodiscard]] bool visit_leaf(const Node& leaf, Mailbox& mailbox, Query& query) const {
+        for (std::uint32_t i = leaf.low; i < leaf.low + leaf.high; ++i) {
+            const std::uint32_t shape = shapes[i];
+            float enter = 0;
+            if (!mailbox.knows(shape) && query.enters(boxes[shape], enter) && query.test(shape)) {
+                return true;
+            }
+        }
+        return false;
+    }
 
     Normals normals_;
 };
-
-template <std::size_t kNormals>
-template <class Query>
-void PlanesTree<kNormals>::search(Query& query) const {
-    float enter = 0;
-    if (nodes.empty() || !query.enters(bounds, enter)) {
-        return;
-    }
-    const Ray& ray = query.ray();
-    std::array<Projected, kNormals> along{};
-    for (std::size_t i = 0; i < kNormals; ++i) {
-        const Vec3 normal(normals_[i]);
-        along[i] = {normal.dot(Vec3(ray.origin)), normal.dot(Vec3(ray.direction))};
-    }
-    Mailbox mailbox;
-    std::vector<Part> stack;
-    stack.reserve(kReserve);
-    Part part{0, static_cast<double>(enter), static_cast<double>(kInfinity)};
-    for (;;) {
-        const Node& node = nodes[part.node];
-        query.note_node();
-        if (node.normal < kNormals) {
-            query.note_boxes(1);
-            const Projected& p = along[node.normal];
-            const bool is_low =
-                p.origin < node.offset || (p.origin == node.offset && p.direction <= 0);
-            const std::uint32_t near = is_low ? node.low : node.high;
-            const std::uint32_t far = is_low ? node.high : node.low;
-            const double t = p.direction != 0 ? (node.offset - p.origin) / p.direction : -1;
-            if (!(t > 0) || t > part.to) {  // a ray from the plane itself has one side ahead
-                part.node = near;
-            } else if (t < part.from) {
-                part.node = far;
-            } else {
-                stack.push_back({far, t, part.to});
-                part = {near, part.from, t};
-            }
-            continue;
-        }
-        if (visit_leaf(node, mailbox, query)) {
-            return;
-        }
-        if (stack.empty() || query.is_beyond(stack.back().from)) {
-            return;
-        }
-        part = stack.back();
-        stack.pop_back();
-    }
-}
-
-template <std::size_t kNormals>
-template <class Query>
-bool PlanesTree<kNormals>::visit_leaf(const Node& leaf, Mailbox& mailbox, Query& query) const {
-    for (std::uint32_t i = leaf.low; i < leaf.low + leaf.high; ++i) {
-        const std::uint32_t shape = shapes[i];
-        float enter = 0;
-        if (!mailbox.knows(shape) && query.enters(boxes[shape], enter) && query.test(shape)) {
-            return true;
-        }
-    }
-    return false;
-}
 
 }  // namespace carom::render
