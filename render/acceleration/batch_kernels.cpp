@@ -1,5 +1,7 @@
 #include "render/acceleration/batch_kernels.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/acceleration/batch_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
@@ -35,10 +37,46 @@ HWY_INLINE hn::Mask<BatchTag> finite_rays(const RayLanes<BatchTag>& rays) {
     return hn::Eq(hn::Mul(sum, hn::Zero(d)), hn::Zero(d));
 }
 
-/// Calls `query(block, shape, test)` for each shape of a list, until one returns true.
-template <class Blocks, class Test, class Query>
-HWY_INLINE bool each_shape(const Blocks& blocks, const Test& test, const Query& query) {
-    for (const auto& block : blocks) {
+/// The reciprocals of rays' directions, which tests with boxes need.
+using Reciprocals = Three<hn::Vec<BatchTag>>;
+
+HWY_INLINE Reciprocals reciprocals_of(const RayLanes<BatchTag>& rays) {
+    return finite_reciprocals<VectorLanes<BatchTag>>(rays.line.direction);
+}
+
+/// Whether rays may hit something in a box at up to `limit`, which is above 0 for rays that count.
+HWY_INLINE hn::Mask<BatchTag> may_hit(const Imath::Box3f& box, const RayLanes<BatchTag>& rays,
+                                      const Reciprocals& inverse, hn::Vec<BatchTag> limit) {
+    using L = VectorLanes<BatchTag>;
+    const BatchTag d;
+    const hn::Vec<BatchTag> wider = hn::Set(d, 1.0001f);
+    const BoxCrossingOf<L> crossing =
+        cross_box<L>(rays.line.origin, inverse, all_of<L>(box.min), all_of<L>(box.max));
+    const hn::Vec<BatchTag> enter = hn::Max(crossing.enter, hn::Zero(d));
+    return hn::And(hn::Gt(limit, hn::Zero(d)),
+                   hn::Le(enter, hn::Mul(hn::Min(crossing.leave, limit), wider)));
+}
+
+/// The rays of a vector, and how far each is tested; queries lower that.
+struct Asking {
+    RayLanes<BatchTag> rays;
+    Reciprocals inverse;
+    hn::Vec<BatchTag> limit;
+};
+
+/// Calls `query(block, shape, test)` for each shape of a list that the rays may hit, until one
+/// returns true.
+template <class Shape, class Query>
+HWY_INLINE bool each_shape(const LoopBlocks& all, const Asking& asking, const Query& query) {
+    const auto& blocks = all.blocks.of<Shape>().blocks;
+    const auto test = test_for_rays(Shape(), asking.inverse);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const auto& block = blocks[i];
+        if (Shape::kIsBounded && block.object.values[LoopBlocks::kFew] >= 0 &&
+            hn::AllFalse(BatchTag(), may_hit(all.boxes[kLaneShape<Shape>][i], asking.rays,
+                                             asking.inverse, asking.limit))) {
+            continue;
+        }
         for (int lane = 0; lane < kBlockLanes && block.object.values[lane] >= 0; ++lane) {
             if (query(block, InAll{lane}, test)) {
                 return true;
@@ -49,13 +87,12 @@ HWY_INLINE bool each_shape(const Blocks& blocks, const Test& test, const Query& 
 }
 
 template <class Query, class... Shapes>
-HWY_INLINE void all_shapes(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& blocks,
-                           const RayLanes<BatchTag>& rays, const Query& query) {
-    static_cast<void>(
-        (each_shape(blocks.of<Shapes>().blocks, test_for_rays(Shapes(), rays), query) || ...));
+HWY_INLINE void all_shapes(ShapeList<Shapes...> /*list*/, const LoopBlocks& blocks,
+                           const Asking& asking, const Query& query) {
+    static_cast<void>((each_shape<Shapes>(blocks, asking, query) || ...));
 }
 
-inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays, float* t,
+inline HWY_ATTR void closest(const LoopBlocks& blocks, const RayBatch& rays, float* t,
                              std::int32_t* object) {
     const BatchTag d;
     const Int<BatchTag> di;
@@ -63,9 +100,10 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays,
         const RayLanes<BatchTag> lanes = rays_from(rays, first);
         const hn::Mask<BatchTag> valid_rays = finite_rays(lanes);
         const hn::Vec<BatchTag> before = hn::LoadU(d, t + first);
-        hn::Vec<BatchTag> nearest = hn::IfThenElseZero(valid_rays, before);
+        Asking asking{lanes, reciprocals_of(lanes), hn::IfThenElseZero(valid_rays, before)};
+        hn::Vec<BatchTag>& nearest = asking.limit;
         hn::Vec<Int<BatchTag>> best = hn::LoadU(di, object + first);
-        all_shapes(LaneShapes(), blocks, lanes,
+        all_shapes(LaneShapes(), blocks, asking,
                    [&](const auto& block, InAll shape, const auto& test) HWY_ATTR {
                        const auto [other_t, valid] = test(d, lanes, block, shape);
                        if (hn::AllFalse(d, hn::And(valid, hn::Le(other_t, nearest)))) {
@@ -85,7 +123,7 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays,
     }
 }
 
-inline HWY_ATTR void occlude(const AnalyticBlocks& blocks, const RayBatch& rays, float* t) {
+inline HWY_ATTR void occlude(const LoopBlocks& blocks, const RayBatch& rays, float* t) {
     const BatchTag d;
     const hn::Vec<BatchTag> zero = hn::Zero(d);
     for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
@@ -95,8 +133,9 @@ inline HWY_ATTR void occlude(const AnalyticBlocks& blocks, const RayBatch& rays,
         }
         const RayLanes<BatchTag> lanes = rays_from(rays, first);
         const hn::Mask<BatchTag> valid_rays = finite_rays(lanes);
-        hn::Vec<BatchTag> t_max = hn::IfThenElseZero(valid_rays, before);
-        all_shapes(LaneShapes(), blocks, lanes,
+        Asking asking{lanes, reciprocals_of(lanes), hn::IfThenElseZero(valid_rays, before)};
+        hn::Vec<BatchTag>& t_max = asking.limit;
+        all_shapes(LaneShapes(), blocks, asking,
                    [&](const auto& shapes, InAll shape, const auto& test) HWY_ATTR {
                        const auto [other_t, valid] = test(d, lanes, shapes, shape);
                        const hn::Mask<BatchTag> occluded = hn::And(valid, hn::Lt(other_t, t_max));
@@ -110,35 +149,58 @@ inline HWY_ATTR void occlude(const AnalyticBlocks& blocks, const RayBatch& rays,
     }
 }
 
-inline HWY_ATTR std::uint64_t meet_box(const Imath::Box3f& box, const RayBatch& rays,
-                                       const float* t) {
-    using L = VectorLanes<BatchTag>;
+inline HWY_ATTR void meet_boxes(std::span<const Imath::Box3f> boxes, const RayBatch& rays,
+                                const float* t, std::uint64_t* rays_of_box) {
     const BatchTag d;
-    const hn::Vec<BatchTag> zero = hn::Zero(d);
-    const hn::Vec<BatchTag> wider = hn::Set(d, 1.0001f);
-    std::uint64_t result = 0;
+    std::fill_n(rays_of_box, boxes.size(), std::uint64_t{0});
     for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
         const RayLanes<BatchTag> lanes = rays_from(rays, first);
-        const BoxCrossingOf<L> crossing =
-            cross_box<L>(lanes.line.origin, finite_reciprocals<L>(lanes.line.direction),
-                         all_of<L>(box.min), all_of<L>(box.max));
-        const hn::Vec<BatchTag> enter = hn::Max(crossing.enter, zero);
-        const hn::Vec<BatchTag> limit = hn::LoadU(d, t + first);
-        hn::Mask<BatchTag> meets = hn::And(hn::Le(enter, hn::Mul(crossing.leave, wider)),
-                                           hn::Le(enter, hn::Mul(limit, wider)));
-        meets = hn::And(meets, finite_rays(lanes));
-        meets =
-            hn::And(meets, hn::And(hn::Gt(limit, zero),
-                                   hn::FirstN(d, static_cast<std::size_t>(rays.count - first))));
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, meets, bits);
-        result |= (bits[0] | static_cast<std::uint64_t>(bits[1]) << 8u) << first;
+        const hn::Mask<BatchTag> counts = hn::And(
+            finite_rays(lanes), hn::FirstN(d, static_cast<std::size_t>(rays.count - first)));
+        const hn::Vec<BatchTag> limit = hn::IfThenElseZero(counts, hn::LoadU(d, t + first));
+        if (hn::AllFalse(d, hn::Gt(limit, hn::Zero(d)))) {
+            continue;
+        }
+        const Reciprocals inverse = reciprocals_of(lanes);
+        for (std::size_t box = 0; box < boxes.size(); ++box) {
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, may_hit(boxes[box], lanes, inverse, limit), bits);
+            rays_of_box[box] |= (bits[0] | static_cast<std::uint64_t>(bits[1]) << 8u) << first;
+        }
     }
-    return result;
+}
+
+template <class Shape>
+HWY_ATTR void hit_moving_shape(const MovingShape& shape, const RayBatch& rays,
+                               const std::int32_t* numbers, int count, float* distances) {
+    using L = VectorLanes<BatchTag>;
+    const BatchTag d;
+    const AffineOf<L> unit_from_body = affine_of<L>(shape.unit_from_body);
+    const UnitFormOf<L> form{all_of<L>(shape.profile), hn::Zero(d)};
+    const MotionPieces motion = shape.motion->pieces();
+    for (int first = 0; first < count; first += static_cast<int>(hn::Lanes(d))) {
+        const L::Int number = hn::LoadU(L::IntTag(), numbers + first);
+        const auto three = [&](const std::array<const float*, 3>& from) HWY_ATTR {
+            return Three<L::Value>{L::gather(from[0], number), L::gather(from[1], number),
+                                   L::gather(from[2], number)};
+        };
+        const PoseOf<L> pose = pose_at<L>(motion, L::gather(rays.time, number));
+        const RayOf<L> ray = pose.in_body({three(rays.origin), three(rays.direction)});
+        const DistanceOf<L> hit =
+            hit_unit_shape<Shape::kKind, L>(unit_from_body.ray(ray), hn::Zero(d), form);
+        hn::StoreU(hn::IfThenElse(hit.valid, hit.t, hn::Set(d, kInfinity)), d, distances + first);
+    }
+}
+
+inline HWY_ATTR void hit_moving(const MovingShape& shape, const RayBatch& rays,
+                                const std::int32_t* numbers, int count, float* distances) {
+    visit_shape(shape.kind, [&](auto unit_shape) HWY_ATTR {
+        hit_moving_shape<decltype(unit_shape)>(shape, rays, numbers, count, distances);
+    });
 }
 
 inline const BatchKernels& batch_kernels_of_target() {
-    static constexpr BatchKernels kKernels = {closest, occlude, meet_box};
+    static constexpr BatchKernels kKernels = {closest, occlude, meet_boxes, hit_moving};
     return kKernels;
 }
 

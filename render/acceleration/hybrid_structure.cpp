@@ -55,8 +55,8 @@ HybridStructure::HybridStructure(const ShapeSet& shapes,
 }
 
 void HybridStructure::set_loops(const ShapeSet& shapes) {
-    blocks_ = shapes.blocks;
-    moving_ = shapes.moving;
+    loops_ = make_loop_blocks(shapes.blocks);
+    moving_ = make_moving_loops(shapes.moving);
 }
 
 std::size_t HybridStructure::bytes() const {
@@ -75,7 +75,7 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
         remaining.t_max = best.object != kNoObject ? just_beyond(best.t) : best.t;
     }
     Candidate analytic{remaining.t_max, kNoObject};
-    kernels_.closest(blocks_, remaining, analytic);
+    kernels_.closest(loops_.blocks, remaining, analytic);
     const bool is_tie = analytic.t == best.t && analytic.object < best.object;
     if (analytic.object != kNoObject &&
         (best.object == kNoObject || analytic.t < best.t || is_tie)) {
@@ -98,7 +98,7 @@ bool HybridStructure::find_outside_tree(Ray remaining, Hit& best) const {
             remaining.t_max = just_beyond(best.t);
         }
     };
-    for (const MovingShape& shape : moving_) {
+    for (const MovingShape& shape : moving_.shapes) {
         Hit other;
         if (intersect_moving(shape, remaining, other)) {
             accept(other);
@@ -119,10 +119,10 @@ bool HybridStructure::any_hit(const Ray& ray) const {
     if (tree_ && tree_kernels_.any(*tree_, safe)) {
         return true;
     }
-    if (kernels_.any(blocks_, safe)) {
+    if (kernels_.any(loops_.blocks, safe)) {
         return true;
     }
-    for (const MovingShape& shape : moving_) {
+    for (const MovingShape& shape : moving_.shapes) {
         if (occluded_by_moving(shape, safe)) {
             return true;
         }
@@ -130,10 +130,8 @@ bool HybridStructure::any_hit(const Ray& ray) const {
     return meshes_ && meshes_->any_hit(safe);
 }
 
-namespace {
-
 /// The nearest hits of a part of a batch.
-struct PartHits {
+struct HybridStructure::PartHits {
     float t[kBatch + RayBatch::kBeyond];
     std::int32_t object[kBatch + RayBatch::kBeyond];
     std::int32_t primitive[kBatch + RayBatch::kBeyond];
@@ -168,13 +166,11 @@ struct PartHits {
     }
 };
 
-}  // namespace
-
 void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
     for (int first = 0; first < rays.count; first += kBatch) {
         const RayBatch part = part_of(rays, first);
         PartHits best;
-        batch_kernels_.closest(blocks_, part, best.t, best.object);
+        batch_kernels_.closest(loops_, part, best.t, best.object);
         for (int i = 0; i < part.count && tree_; ++i) {
             const Ray ray = part.ray(i, best.t[i]);
             if (is_traceable(ray)) {
@@ -183,16 +179,9 @@ void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
                 best.set(i, hit);
             }
         }
-        for (const MovingShape& shape : moving_) {
-            for (std::uint64_t left = may_meet(shape, part, best.t); left != 0; left &= left - 1) {
-                const int i = std::countr_zero(left);
-                const Ray ray = part.ray(i, just_beyond(best.t[i]));
-                Hit other;
-                if (is_traceable(ray) && intersect_moving(shape, ray, other)) {
-                    best.offer(i, other);
-                }
-            }
-        }
+        each_meeting(part, best.t, [&](const MovingShape& shape, std::uint64_t rays_of_shape) {
+            find_moving(shape, part, rays_of_shape, best);
+        });
         if (meshes_) {
             meshes_->closest_hits(part, {best.t, best.object, best.primitive, best.u, best.v});
         }
@@ -202,35 +191,105 @@ void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
     }
 }
 
-/// The rays of a part of a batch that may hit the shape at up to t[i], and perhaps more.
-std::uint64_t HybridStructure::may_meet(const MovingShape& shape, const RayBatch& part,
-                                        const float* t) const {
-    if (shape.is_infinite()) {
-        return part.count == kBatch ? ~std::uint64_t{0} : (std::uint64_t{1} << part.count) - 1;
+namespace {
+
+/// The numbers of the rays that a mask names, and distances along them.
+struct NamedRays {
+    std::int32_t numbers[kBatch + RayBatch::kBeyond];
+    float distances[kBatch + RayBatch::kBeyond];
+    int count = 0;
+
+    explicit NamedRays(std::uint64_t rays) {
+        for (; rays != 0; rays &= rays - 1) {
+            numbers[count++] = std::countr_zero(rays);
+        }
+        std::fill_n(numbers + count, RayBatch::kBeyond, numbers[0]);
     }
-    return batch_kernels_.meet_box(shape.bounds, part, t);
+};
+
+}  // namespace
+
+void HybridStructure::find_moving(const MovingShape& shape, const RayBatch& part,
+                                  std::uint64_t rays_of_shape, PartHits& best) const {
+    NamedRays rays(rays_of_shape);
+    if (shape.mesh == nullptr) {
+        batch_kernels_.hit_moving(shape, part, rays.numbers, rays.count, rays.distances);
+    }
+    for (int k = 0; k < rays.count; ++k) {
+        const int i = rays.numbers[k];
+        Hit other{rays.distances[k], shape.object, 0, 0, 0};
+        if (shape.mesh == nullptr
+                ? other.t < kInfinity
+                : intersect_moving(shape, part.ray(i, just_beyond(best.t[i])), other)) {
+            best.offer(i, other);
+        }
+    }
+}
+
+void HybridStructure::occlude_by_moving(const MovingShape& shape, const RayBatch& part,
+                                        std::uint64_t rays_of_shape, float* t) const {
+    NamedRays rays(rays_of_shape);
+    if (shape.mesh == nullptr) {
+        batch_kernels_.hit_moving(shape, part, rays.numbers, rays.count, rays.distances);
+    }
+    for (int k = 0; k < rays.count; ++k) {
+        const int i = rays.numbers[k];
+        if (shape.mesh == nullptr ? rays.distances[k] < t[i]
+                                  : t[i] > 0 && occluded_by_moving(shape, part.ray(i, t[i]))) {
+            t[i] = 0;
+        }
+    }
+}
+
+/// Calls `visit(i, rays)` for each of the boxes that rays of a part of a batch may meet at up to
+/// t[i], with a bit for each of these rays.
+template <class Visit>
+void HybridStructure::each_that_meets(std::span<const Imath::Box3f> boxes, const RayBatch& part,
+                                      const float* t, const Visit& visit) const {
+    constexpr std::size_t kTogether = 16;
+    std::uint64_t rays[kTogether];
+    for (std::size_t first = 0; first < boxes.size(); first += kTogether) {
+        const auto some = boxes.subspan(first, std::min(kTogether, boxes.size() - first));
+        batch_kernels_.meet_boxes(some, part, t, rays);
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            if (rays[k] != 0) {
+                visit(first + k, rays[k]);
+            }
+        }
+    }
+}
+
+/// Calls `visit(shape, rays)` for each moving shape that rays of a part of a batch may hit at up to
+/// t[i], with a bit for each of these rays and perhaps for a few more.
+template <class Visit>
+void HybridStructure::each_meeting(const RayBatch& part, const float* t, const Visit& visit) const {
+    each_that_meets(moving_.body_boxes, part, t, [&](std::size_t i, std::uint64_t rays) {
+        const MovingLoops::Body& body = moving_.bodies[i];
+        if (body.count == 1) {
+            visit(moving_.shapes[body.first], rays);
+        } else {
+            each_that_meets(moving_.boxes_of(body), part, t,
+                            [&](std::size_t k, std::uint64_t some) {
+                                visit(moving_.shapes[body.first + k], some);
+                            });
+        }
+    });
 }
 
 void HybridStructure::test_occlusion(const RayBatch& rays, float* t_max) const {
-    batch_kernels_.occlude(blocks_, rays, t_max);
+    batch_kernels_.occlude(loops_, rays, t_max);
     for (int i = 0; i < rays.count && tree_; ++i) {
         const Ray ray = rays.ray(i, t_max[i]);
         if (t_max[i] > 0 && is_traceable(ray) && tree_kernels_.any(*tree_, made_safe(ray))) {
             t_max[i] = 0;
         }
     }
-    for (int first = 0; first < rays.count && !moving_.empty(); first += kBatch) {
+    for (int first = 0; first < rays.count && !moving_.shapes.empty(); first += kBatch) {
         const RayBatch part = part_of(rays, first);
         float* part_t = t_max + first;
-        for (const MovingShape& shape : moving_) {
-            for (std::uint64_t left = may_meet(shape, part, part_t); left != 0; left &= left - 1) {
-                const int i = std::countr_zero(left);
-                const Ray ray = part.ray(i, part_t[i]);
-                if (is_traceable(ray) && occluded_by_moving(shape, ray)) {
-                    part_t[i] = 0;
-                }
-            }
-        }
+        each_meeting(part, part_t, [&](const MovingShape& shape, std::uint64_t rays_of_shape) {
+            occlude_by_moving(shape, part, rays_of_shape, part_t);
+        });
     }
     if (meshes_) {
         meshes_->test_occlusion(rays, t_max);

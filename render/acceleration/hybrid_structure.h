@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
+#include <span>
 
 #include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/analytic_kernels.h"
@@ -37,17 +37,26 @@ class HybridStructure final : public AccelerationStructure {
     [[nodiscard]] std::size_t bytes() const;
 
   private:
+    struct PartHits;
+
     void set_loops(const ShapeSet& shapes);
     [[nodiscard]] bool find_outside_tree(Ray remaining, Hit& best) const;
-    [[nodiscard]] std::uint64_t may_meet(const MovingShape& shape, const RayBatch& part,
-                                         const float* t) const;
+    void find_moving(const MovingShape& shape, const RayBatch& part, std::uint64_t rays_of_shape,
+                     PartHits& best) const;
+    void occlude_by_moving(const MovingShape& shape, const RayBatch& part,
+                           std::uint64_t rays_of_shape, float* t) const;
+    template <class Visit>
+    void each_that_meets(std::span<const Imath::Box3f> boxes, const RayBatch& part, const float* t,
+                         const Visit& visit) const;
+    template <class Visit>
+    void each_meeting(const RayBatch& part, const float* t, const Visit& visit) const;
 
     const AnalyticKernels& kernels_;
     const BatchKernels& batch_kernels_;
     const AnalyticTreeKernels& tree_kernels_;
     std::shared_ptr<const AnalyticTree> tree_;  // may be null
-    AnalyticBlocks blocks_;                     // shapes outside the tree
-    std::vector<MovingShape> moving_;           // likewise
+    LoopBlocks loops_;                          // shapes outside the tree
+    MovingLoops moving_;                        // likewise
     std::shared_ptr<const TriangleScene> meshes_;
 };
 

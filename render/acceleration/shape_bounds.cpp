@@ -42,8 +42,8 @@ MovingBounds bounds_of(const SphereSegment& sphere) {
     const float from = std::max(sphere.start, 0.f);
     const float to = std::max(from, std::min(sphere.end, 1.f));
     const float third = (to - from) / 3;
-    const V3f p0 = sphere.path.position(from);
-    const V3f p3 = sphere.path.position(to);
+    const V3f p0 = position_on(sphere.path, from);
+    const V3f p3 = position_on(sphere.path, to);
     const std::array<V3f, 4> control = {p0, p0 + third * derivative(sphere.path, from),
                                         p3 - third * derivative(sphere.path, to), p3};
     const V3f radius(sphere.radius);

@@ -17,14 +17,16 @@ HWY_INLINE AlignedBoxTest<D> test_for_ray(AlignedBox /*shape*/, D d, const V3f& 
     return AlignedBoxTest<D>(d, direction);
 }
 
-/// The test of a shape for rays that differ from lane to lane.
-template <class Shape, class D>
-HWY_INLINE LaneTest<Shape> test_for_rays(Shape /*shape*/, const RayLanes<D>& /*rays*/) {
+/// The test of a shape for rays that differ from lane to lane; `inverse`: finite_reciprocals of
+/// their directions.
+template <class Shape, class V>
+HWY_INLINE LaneTest<Shape> test_for_rays(Shape /*shape*/, const Three<V>& /*inverse*/) {
     return {};
 }
-template <class D>
-HWY_INLINE AlignedBoxRays<D> test_for_rays(AlignedBox /*shape*/, const RayLanes<D>& rays) {
-    return AlignedBoxRays<D>(rays);
+template <class V>
+HWY_INLINE AlignedBoxRays<hn::DFromV<V>> test_for_rays(AlignedBox /*shape*/,
+                                                       const Three<V>& inverse) {
+    return {inverse};
 }
 
 }  // namespace carom::render::HWY_NAMESPACE

@@ -68,7 +68,10 @@ class WaitingRays {
             may_hit = hn::AndNot(pass_above<PacketLanes>(tree.horizon, rays.origin, rays.direction),
                                  may_hit);
         }
-        if (tree.tree.nodes.size() == 1 && !hn::AllFalse(d, may_hit)) {
+        if (hn::AllFalse(d, may_hit)) {
+            return;
+        }
+        if (tree.tree.nodes.size() == 1) {
             may_hit = hn::And(rays.meet_leaves(tree), may_hit);
         }
         const PackedLanes goes(may_hit);

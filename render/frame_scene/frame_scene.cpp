@@ -137,11 +137,16 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
     data_->geometry = &shared;
     data_->motions.resize(shared.objects.size());
     const TracksByName track_of = by_name(tracks);
+    std::unordered_map<const sim::Track*, std::shared_ptr<const RigidMotion>> motion_of;
     for (std::uint32_t i = 0; i < shared.objects.size(); ++i) {
         const SceneObject& object = shared.objects[i];
         if (object.is_tracked()) {
-            data_->motions[i] = std::make_shared<const RigidMotion>(find_track(track_of, object),
-                                                                    scene_open, scene_close);
+            const sim::Track& track = find_track(track_of, object);
+            std::shared_ptr<const RigidMotion>& motion = motion_of[&track];
+            if (!motion) {
+                motion = std::make_shared<const RigidMotion>(track, scene_open, scene_close);
+            }
+            data_->motions[i] = motion;
         }
     }
     structure_ = make_structure_of(shared, data_->motions);

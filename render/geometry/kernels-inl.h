@@ -11,6 +11,7 @@
 #include "render/geometry/constants.h"
 #include "render/geometry/margins.h"
 #include "render/geometry/mesh_arrays.h"
+#include "render/geometry/motion_pieces.h"
 #include "render/geometry/shape_kind.h"
 #include "render/lanes/kernels-inl.h"
 

@@ -40,15 +40,6 @@ PathPiece make_piece(const sim::PathSegment& segment, double scene_open, double 
     return piece;
 }
 
-/// The piece of a list, ordered by `start`, that is valid at `time`.
-template <class Piece>
-const Piece& piece_at(const std::vector<Piece>& pieces, float time) {
-    const auto after =
-        std::upper_bound(pieces.begin() + 1, pieces.end(), time,
-                         [](float value, const Piece& piece) { return value < piece.start; });
-    return *(after - 1);
-}
-
 Imath::Box3f widened(const sim::Bounds& bounds) {
     Imath::Box3f box(V3f(bounds.low), V3f(bounds.high));
     for (int axis = 0; axis < 3; ++axis) {
@@ -144,13 +135,12 @@ void RigidMotion::add_turns(const sim::Track& track, double scene_open, double s
 }
 
 V3f RigidMotion::position(float time) const {
-    return piece_at(path_, time).position(time);
+    return scalar::vector_of(scalar::position_at<scalar::One>(pieces(), time));
 }
 
 Imath::Quatf RigidMotion::world_from_body(float time) const {
-    const TurnPiece& piece = piece_at(turns_, time);
-    const float fraction = std::clamp((time - piece.start) * piece.inverse_duration, 0.f, 1.f);
-    return turned(piece, fraction);
+    const auto turn = scalar::turn_at<scalar::One>(pieces(), time);
+    return {turn.real, scalar::vector_of(turn.vector)};
 }
 
 RigidMotion::Orientations RigidMotion::orientations() const {

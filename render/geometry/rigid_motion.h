@@ -8,40 +8,20 @@
 #include <Imath/ImathBox.h>
 
 #include "render/geometry/affine.h"
+#include "render/geometry/motion_pieces.h"
 #include "render/geometry/ray.h"
 #include "render/geometry/scalar_kernels.h"
 #include "sim/timeline/track.h"
 
 namespace carom::render {
 
-/// One cubic piece of a path: position(d) = c[0] + d (c[1] + d (c[2] + d c[3])) with
-/// d = time - start. Valid while start <= time < end.
-// Copying the array is the compiler's code:
-// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
-struct PathPiece {
-    V3f c[4] = {V3f(0), V3f(0), V3f(0), V3f(0)};
-    float start = 0;
-    float end = 1;
-
-    [[nodiscard]] V3f position(float time) const {
-        using scalar::three;
-        return scalar::vector_of(scalar::point_on_path<scalar::One>(
-            three(c[0]), three(c[1]), three(c[2]), three(c[3]), time - start));
-    }
-    [[nodiscard]] bool is_constant() const {
-        const V3f zero(0, 0, 0);
-        return c[1] == zero && c[2] == zero && c[3] == zero;
-    }
-};
-
-/// A rotation by less than half a turn between two times, at a constant rate about a fixed axis.
-struct TurnPiece {
-    float start = 0;
-    float inverse_duration = 0;      // 1 / (end - start), 0 without rotation
-    V3f axis{0, 0, 1};               // unit, world axes
-    float half_angle = 0;            // rad
-    Imath::Quatf world_from_body{};  // at `start`
-};
+/// The position at a time, on the piece's curve.
+[[nodiscard]] inline V3f position_on(const PathPiece& piece, float time) {
+    using scalar::three;
+    return scalar::vector_of(
+        scalar::point_on_path<scalar::One>(three(piece.c[0]), three(piece.c[1]), three(piece.c[2]),
+                                           three(piece.c[3]), time - piece.start));
+}
 
 /// Pose of an object during one shutter. The position is the timeline's own piecewise cubic curve,
 /// with breaks at impacts; the orientation is within 1e-4 rad of the timeline's. Immutable.
@@ -57,6 +37,11 @@ class RigidMotion {
     /// Pieces in order of time; the first is valid from minus infinity, the last to infinity, and
     /// each begins where the previous one ends.
     [[nodiscard]] std::span<const PathPiece> path() const { return path_; }
+
+    [[nodiscard]] MotionPieces pieces() const {
+        return {path_.data(), turns_.data(), static_cast<std::int32_t>(path_.size()),
+                static_cast<std::int32_t>(turns_.size())};
+    }
 
     [[nodiscard]] V3f position(float time) const;
     [[nodiscard]] Imath::Quatf world_from_body(float time) const;

@@ -392,6 +392,9 @@ void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& coun
 
 void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
     ShadowWave& shadows = wave.shadows;
+    if (shadows.count == 0) {
+        return;
+    }
     count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
     shadows.trace(scene_.frame.structure());
     kernels_->sum_light(shadows);

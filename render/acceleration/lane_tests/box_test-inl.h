@@ -47,9 +47,6 @@ struct AlignedBoxRays {
 
     Three<hn::Vec<D>> inverse;
 
-    HWY_INLINE explicit AlignedBoxRays(const RayLanes<D>& ray)
-        : inverse(finite_reciprocals<L>(ray.line.direction)) {}
-
     HWY_INLINE LaneHits<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
                                       InAll shape) const {
         const auto corner = [&](int side) HWY_ATTR {

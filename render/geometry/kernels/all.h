@@ -3,6 +3,7 @@
 #include "render/geometry/kernels/angles.h"
 #include "render/geometry/kernels/basis.h"
 #include "render/geometry/kernels/maps.h"
+#include "render/geometry/kernels/body_poses.h"
 #include "render/geometry/kernels/ray_hits.h"
 #include "render/geometry/kernels/ball_hits.h"
 #include "render/geometry/kernels/box_hits.h"

@@ -62,6 +62,13 @@ struct TurnOf {
     }
 };
 
+/// First b, then a.
+template <class L>
+CAROM_KERNEL TurnOf<L> operator*(const TurnOf<L>& a, const TurnOf<L>& b) {
+    return {a.real * b.real - dot(a.vector, b.vector),
+            b.vector * a.real + a.vector * b.real + cross(a.vector, b.vector)};
+}
+
 /// Where a body is: world from body axes.
 template <class L>
 struct PoseOf {

@@ -114,30 +114,15 @@ struct BodyLanes {
     }
 };
 
-inline HWY_ATTR BodyLanes body_at(const WaveLight& light, F time, M wanted) {
+HWY_INLINE BodyLanes body_at(const WaveLight& light, F time) {
     BodyLanes body{
         light.motion != nullptr, light.turns(), all(V3f(0, 0, 0)), {all(1.f), all(V3f(0, 0, 0))}};
-    if (!body.moves) {
-        return body;
+    if (body.moves) {
+        body.position = position_at<Lanes>(light.motion->pieces(), time);
     }
-    LanesAtOnce positions(body.position);
-    LanesAtOnce vectors(body.position);
-    alignas(64) float times[16], reals[16] = {}, is_wanted[16];
-    hn::Store(time, FloatTag(), times);
-    list_lanes(wanted, is_wanted);
-    for (int i = 0; i < lane_count(); ++i) {
-        if (is_wanted[i] <= 0) {
-            continue;
-        }
-        positions.set(i, light.motion->position(times[i]));
-        if (body.turns) {
-            const Imath::Quatf turn = light.motion->world_from_body(times[i]);
-            reals[i] = turn.r;
-            vectors.set(i, turn.v);
-        }
+    if (body.turns) {
+        body.turn = turn_at<Lanes>(light.motion->pieces(), time);
     }
-    body.position = positions.lanes();
-    body.turn = {hn::Load(FloatTag(), reals), vectors.lanes()};
     return body;
 }
 
@@ -152,12 +137,12 @@ HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const PlaceLa
         case WaveLight::Kind::delta:
             return importance_of_delta_light<Lanes>(known.delta, place.position, normal);
         case WaveLight::Kind::curved_object: {
-            const BodyLanes body = body_at(known, place.time, wanted);
+            const BodyLanes body = body_at(known, place.time);
             return importance_of_shape<Lanes>(known.shape, body.point(place.position),
                                               body.vector(normal));
         }
         case WaveLight::Kind::flat_object: {
-            const BodyLanes body = body_at(known, place.time, wanted);
+            const BodyLanes body = body_at(known, place.time);
             return importance_of_object<Lanes>(known.importance, body.point(place.position),
                                                body.vector(normal));
         }
@@ -175,9 +160,8 @@ HWY_INLINE LightLanes sample_environment(const EnvironmentPicture& sky, const V2
 
 /// Not inlined: the shapes' code is long.
 inline HWY_NOINLINE HWY_ATTR LightLanes sample_curved_object(const WaveLight& light,
-                                                             const PlaceLanes& place, const V2& u,
-                                                             M wanted) {
-    const BodyLanes body = body_at(light, place.time, wanted);
+                                                             const PlaceLanes& place, const V2& u) {
+    const BodyLanes body = body_at(light, place.time);
     LightLanes found = sample_shape<Lanes>(light.shape, body.point(place.position), u);
     found.direction = body.to_world(found.direction);
     return found;
@@ -194,7 +178,7 @@ HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const Pl
         case WaveLight::Kind::delta:
             return sample_delta_light<Lanes>(known.delta, place.position);
         case WaveLight::Kind::curved_object:
-            return sample_curved_object(known, place, u, wanted);
+            return sample_curved_object(known, place, u);
         case WaveLight::Kind::flat_object:
         case WaveLight::Kind::other:
             break;

@@ -207,7 +207,11 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
             hn::BitCast(WordTag(), gather(step.samples.reversed_sample, slot)));
         F u[4];
         sampler.get_4d(v.vertex_index + v.vertex_index, u);
-        if (has_lights && vertex == 0) {
+        if (hn::AllFalse(FloatTag(), v.scatters)) {
+            for (int k = 0; k < step.shadows.rays; ++k) {
+                add_no_shadow_rays(step, v, k);
+            }
+        } else if (has_lights && vertex == 0) {
             sample_all_lights(step, v, sampler);
         } else if (has_lights) {
             sample_one_light(step, v, {u[0], u[1]});

@@ -194,6 +194,7 @@ struct RandomScene {
         for (int i = 0; i < count; ++i) {
             const render::RigidMotion motion(random_track(random, 2), 0, 1);
             add_moving_sphere(shapes, motion, random.between(0.05f, 0.3f), object_count++);
+            std::shared_ptr<render::RigidMotion> own;
             for (const Kind kind :
                  {Kind::ball, Kind::box, Kind::rectangle, Kind::triangle, Kind::disk, Kind::frustum,
                   Kind::capsule, Kind::rounded_box, Kind::mesh}) {
@@ -212,7 +213,11 @@ struct RandomScene {
                 if (kind == Kind::rounded_box) {
                     shape.profile = random_core(random);
                 }
-                shape.motion = std::make_shared<render::RigidMotion>(random_track(random, 2), 0, 1);
+                // The frustum, the capsule and the rounded box are of one body.
+                if (kind != Kind::capsule && kind != Kind::rounded_box) {
+                    own = std::make_shared<render::RigidMotion>(random_track(random, 2), 0, 1);
+                }
+                shape.motion = own;
                 // A capsule's only measure is half the length of its axis, which is z.
                 const V3f core = kind == Kind::capsule ? V3f(0, 0, shape.profile.x) : shape.profile;
                 float bounding_radius = half_size.length() + (half_size * core).length();

@@ -182,7 +182,7 @@ TEST(BoundsOf, MovingSpheres_HoldThemAtEveryTimeInForce) {
                 const float time = from + (to - from) * static_cast<float>(i) / 20;
                 const V3f low = bounds.open.min + time * (bounds.close.min - bounds.open.min);
                 const V3f high = bounds.open.max + time * (bounds.close.max - bounds.open.max);
-                const V3f centre = sphere.path.position(time);
+                const V3f centre = position_on(sphere.path, time);
                 for (int axis = 0; axis < 3; ++axis) {
                     ASSERT_LE(low[axis], centre[axis] - 0.1f);
                     ASSERT_GE(high[axis], centre[axis] + 0.1f);

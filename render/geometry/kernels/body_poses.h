@@ -1,0 +1,71 @@
+// Poses of a moving body at the times of rays, in lanes. Included as render/lanes/kernels/vectors.h
+// is.
+
+/// Numbers of a piece of a list, which may be another one in each lane. They are named by their
+/// place in the first piece.
+template <class L, class Piece>
+struct PieceAt {
+    typename L::Int index;
+    bool is_first;  // in all lanes
+
+    /// The piece that is valid at a time.
+    CAROM_KERNEL PieceAt(const Piece* list, std::int32_t count, typename L::Value time)
+        : index(L::all_int(0)), is_first(count == 1) {
+        std::int32_t step = 1;
+        while (step < count) {
+            step *= 2;
+        }
+        for (step /= 2; step > 0; step /= 2) {
+            const auto other = L::smaller_int(index + L::all_int(step), L::all_int(count - 1));
+            const auto begins = gathered(&list->start, other);
+            index = L::select_int(L::is_at_most(begins, time), other, index);
+        }
+    }
+
+    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> vector(const Imath::V3f& of_first) const {
+        return {place(of_first.x), place(of_first.y), place(of_first.z)};
+    }
+    [[nodiscard]] CAROM_KERNEL typename L::Value place(const float& of_first) const {
+        return is_first ? L::all(of_first) : gathered(&of_first, index);
+    }
+
+  private:
+    CAROM_KERNEL static typename L::Value gathered(const void* of_first, typename L::Int at) {
+        constexpr auto kSize = static_cast<std::int32_t>(sizeof(Piece));
+        return L::from_bits(L::from_word(L::gather_bytes(of_first, L::product(at, kSize))));
+    }
+};
+
+/// Where the body's origin is.
+template <class L>
+CAROM_KERNEL Three<typename L::Value> position_at(const MotionPieces& motion,
+                                                  typename L::Value time) {
+    const PieceAt<L, PathPiece> at(motion.path, motion.path_count, time);
+    const PathPiece& first = *motion.path;
+    return point_on_path<L>(at.vector(first.c[0]), at.vector(first.c[1]), at.vector(first.c[2]),
+                            at.vector(first.c[3]), time - at.place(first.start));
+}
+
+/// How the body is turned.
+template <class L>
+CAROM_KERNEL TurnOf<L> turn_at(const MotionPieces& motion, typename L::Value time) {
+    const PieceAt<L, TurnPiece> at(motion.turns, motion.turn_count, time);
+    const TurnPiece& first = *motion.turns;
+    const TurnOf<L> begin{at.place(first.world_from_body.r), at.vector(first.world_from_body.v)};
+    const auto half_angle = at.place(first.half_angle);
+    const auto turns = L::is_less(L::all(0), half_angle);
+    if (L::none(turns)) {
+        return begin;
+    }
+    const auto fraction = L::smaller(
+        L::larger((time - at.place(first.start)) * at.place(first.inverse_duration), L::all(0)),
+        L::all(1));
+    const SinCosOf<L> since = sin_cos_turn<L>(fraction * half_angle * L::all(0.5f * kInversePi));
+    const TurnOf<L> all = TurnOf<L>{since.cosine, at.vector(first.axis) * since.sine} * begin;
+    return {L::select(turns, all.real, begin.real), select<L>(turns, all.vector, begin.vector)};
+}
+
+template <class L>
+CAROM_KERNEL PoseOf<L> pose_at(const MotionPieces& motion, typename L::Value time) {
+    return {position_at<L>(motion, time), turn_at<L>(motion, time)};
+}
