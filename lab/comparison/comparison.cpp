@@ -3,13 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
+#include <optional>
 #include <utility>
 
+#include <fmt/core.h>
+
+#include "core/cpu_time.h"
 #include "core/error.h"
-#include "lab/comparison/frame_meter.h"
+#include "lab/comparison/named_list.h"
 #include "lab/structures/make_structure.h"
+#include "lab/structures/structure_meter.h"
 #include "lab/triangle/kernel_test.h"
+#include "render/frame/frame.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::pipeline {
 
@@ -21,12 +27,19 @@ using render::RayKind;
 using render::RenderSettings;
 using render::TestCounts;
 
-AccelerationKind kind_of(const std::string& name) {
-    try {
-        return render::structure_kind(name);
-    } catch (const Error& error) {
-        throw Error(error.what() + std::string(", or all"));
+/// The structures of `text` for which `suits` is true. Of a list all must be.
+std::vector<AccelerationKind> suitable_structures(
+    const std::string& text, const std::function<bool(AccelerationKind)>& suits,
+    const std::string& complaint) {
+    std::vector<AccelerationKind> kinds = structures_from_text(text);
+    if (text == "all") {
+        std::erase_if(kinds, std::not_fn(suits));
     }
+    const auto wrong = std::ranges::find_if_not(kinds, suits);
+    if (wrong != kinds.end()) {
+        throw Error(fmt::format("the structure '{}' {}", name_of(*wrong), complaint));
+    }
+    return kinds;
 }
 
 /// One ray through each pixel, and the rays that follow from it.
@@ -49,6 +62,46 @@ RenderSettings scaled_down(RenderSettings settings, double fraction) {
     settings.height = smaller(settings.height);
     return settings;
 }
+
+/// Measures the cost of one frame with one structure.
+class FrameMeter {
+  public:
+    /// Refers to the scene. `threads`: 0 for one per processor.
+    FrameMeter(const LaboratoryScene& scene, int threads) : scene_(scene), arena_(threads) {}
+
+    /// `settings`: those of the scene, or of a part of its picture; `counts`: whether tests are
+    /// counted, which takes time. Throws Error, Stopped.
+    [[nodiscard]] ComparedStructure measure(RenderSettings settings, AccelerationKind kind,
+                                            bool counts, const render::StructureOptions& options,
+                                            const WorkContext& context) {
+        ComparedStructure result;
+        result.name = name_of(kind);
+        result.shadow_rays = options.shadow_rays_stop ? ShadowRays::any : ShadowRays::closest;
+        result.is_counted = counts;
+        arena_.execute([&] {
+            if (!structure_ || structure_->kind() != kind) {
+                prepared_.reset();
+                structure_.emplace(kind);
+                prepared_.emplace(scene_.scene, settings, structure_->maker());
+            }
+            structure_->set(counts, options);
+            const double start = process_cpu_seconds();
+            (void)render::render_frame(*prepared_, scene_.tracks, scene_.frame, settings, context);
+            result.cpu_seconds = process_cpu_seconds() - start - structure_->build_seconds();
+        });
+        result.build_seconds = structure_->build_seconds();
+        result.bytes = structure_->bytes();
+        result.tests = structure_->take_counts();
+        return result;
+    }
+
+  private:
+    const LaboratoryScene& scene_;
+    render::ThreadArena arena_;
+    // Of the last measurement: what frames share is reused for parts of a picture.
+    std::optional<render::StructureMeter> structure_;
+    std::optional<render::PreparedScene> prepared_;
+};
 
 class ComparisonRun {
   public:
@@ -87,7 +140,7 @@ class ComparisonRun {
     void count_rays() {
         AccelerationKind kind = AccelerationKind::kd_tree;
         for (const AccelerationKind asked : options_.structures) {
-            if (!is_linear(asked) && FrameMeter::can_count(asked)) {
+            if (!is_linear(asked) && render::can_count(asked)) {
                 kind = asked;
                 break;
             }
@@ -106,19 +159,11 @@ class ComparisonRun {
     ComparedStructure row_of(AccelerationKind kind, ShadowRays shadow_rays) {
         const double all_tests =
             static_cast<double>(result_.rays.total().rays) * static_cast<double>(result_.shapes);
-        ComparedStructure row;
-        row.name = name_of(kind);
-        row.shadow_rays = shadow_rays;
-        row.is_counted = FrameMeter::can_count(kind);
-        if (is_linear(kind) && all_tests > options_.most_tests) {
-            compute(kind, row, all_tests);
-            return row;
-        }
-        const MeasuredFrame timed = least_time(kind, shadow_rays, scene_.settings);
-        row.build_seconds = timed.build_seconds;
-        row.bytes = timed.bytes;
-        row.cpu_seconds = timed.cpu_seconds;
-        if (row.is_counted) {
+        const bool is_computed = is_linear(kind) && all_tests > options_.most_tests;
+        ComparedStructure row = is_computed ? computed(kind, shadow_rays, all_tests)
+                                            : least_time(kind, shadow_rays, scene_.settings);
+        row.is_counted = render::can_count(kind);
+        if (row.is_counted && !is_computed) {
             const auto found = counted_.find({kind, shadow_rays});
             row.tests =
                 found != counted_.end() ? found->second : count(kind, shadow_rays, scene_.settings);
@@ -128,12 +173,12 @@ class ComparisonRun {
 
     // Every ray of a kind takes as many tests in the whole picture as in a part of it: those for
     // the nearest hit are as many as the shapes.
-    void compute(AccelerationKind kind, ComparedStructure& row, double all_tests) {
+    ComparedStructure computed(AccelerationKind kind, ShadowRays shadow_rays, double all_tests) {
         constexpr double kPart = 0.25;  // of the tests that are allowed
         const RenderSettings part =
             scaled_down(scene_.settings, kPart * options_.most_tests / all_tests);
-        const TestCounts counts = count(kind, row.shadow_rays, part);
-        const MeasuredFrame timed = least_time(kind, row.shadow_rays, part);
+        const TestCounts counts = count(kind, shadow_rays, part);
+        ComparedStructure row = least_time(kind, shadow_rays, part);
         for (std::size_t i = 0; i < counts.of.size(); ++i) {
             const KindCounts& some = counts.of[i];
             const std::uint64_t rays = result_.rays.of[i].rays;
@@ -147,27 +192,28 @@ class ComparisonRun {
         }
         const KindCounts total = row.tests.total();
         const KindCounts measured = counts.total();
-        row.bytes = timed.bytes;
-        row.cpu_seconds = timed.cpu_seconds * static_cast<double>(total.objects + total.boxes) /
-                          static_cast<double>(measured.objects + measured.boxes);
+        row.build_seconds = 0;
+        row.cpu_seconds *= static_cast<double>(total.objects + total.boxes) /
+                           static_cast<double>(measured.objects + measured.boxes);
         row.is_computed = true;
+        return row;
     }
 
     TestCounts count(AccelerationKind kind, ShadowRays shadow_rays,
                      const RenderSettings& settings) {
-        return measure(kind, shadow_rays, true, settings).counts;
+        return measure(kind, shadow_rays, true, settings).tests;
     }
 
     // The least time of several frames if they are quick, because other load on the machine only
     // slows them down.
-    MeasuredFrame least_time(AccelerationKind kind, ShadowRays shadow_rays,
-                             const RenderSettings& settings) {
+    ComparedStructure least_time(AccelerationKind kind, ShadowRays shadow_rays,
+                                 const RenderSettings& settings) {
         constexpr int kMostFrames = 5;
-        MeasuredFrame least = measure(kind, shadow_rays, false, settings);
+        ComparedStructure least = measure(kind, shadow_rays, false, settings);
         double all = least.cpu_seconds;
         for (int i = 1; i < kMostFrames && all < options_.enough_seconds; ++i) {
             done_ -= 1;
-            const MeasuredFrame again = measure(kind, shadow_rays, false, settings);
+            const ComparedStructure again = measure(kind, shadow_rays, false, settings);
             all += again.cpu_seconds;
             least.cpu_seconds = std::min(least.cpu_seconds, again.cpu_seconds);
             least.build_seconds = std::min(least.build_seconds, again.build_seconds);
@@ -175,8 +221,8 @@ class ComparisonRun {
         return least;
     }
 
-    MeasuredFrame measure(AccelerationKind kind, ShadowRays shadow_rays, bool counts,
-                          const RenderSettings& settings) {
+    ComparedStructure measure(AccelerationKind kind, ShadowRays shadow_rays, bool counts,
+                              const RenderSettings& settings) {
         // Most rows take two frames; counting the rays takes one more.
         const double steps =
             2.0 * static_cast<double>(options_.structures.size() * options_.shadow_rays.size());
@@ -188,7 +234,7 @@ class ComparisonRun {
                                   stop_};
         const render::StructureOptions structure{nullptr, shadow_rays == ShadowRays::any,
                                                  options_.sizes, triangle_test_};
-        const MeasuredFrame result = meter_.measure(settings, kind, counts, structure, context);
+        const ComparedStructure result = meter_.measure(settings, kind, counts, structure, context);
         done_ += settings.width == 1 ? 0 : 1;
         return result;
     }
@@ -206,6 +252,10 @@ class ComparisonRun {
 };
 
 }  // namespace
+
+const char* name_of(ShadowRays shadow_rays) {
+    return shadow_rays == ShadowRays::any ? "any" : "closest";
+}
 
 const ComparedStructure* Comparison::brute_force_row(const ComparedStructure& row) const {
     const auto is_it = [&](const ComparedStructure& other) {
@@ -245,42 +295,30 @@ bool is_linear(AccelerationKind kind) {
 }
 
 std::vector<AccelerationKind> structures_from_text(const std::string& text) {
-    std::vector<AccelerationKind> kinds;
-    if (text == "all") {
-        for (const render::AccelerationName& known : render::kAccelerationNames) {
-            kinds.push_back(known.kind);
-        }
-        // Brute force comes first, because the others are compared with it.
-        std::rotate(kinds.begin(), std::ranges::find(kinds, AccelerationKind::brute_force),
-                    kinds.end());
-        return kinds;
+    std::vector<AccelerationKind> all;
+    for (const render::AccelerationName& known : render::kAccelerationNames) {
+        all.push_back(known.kind);
     }
-    std::istringstream list(text);
-    for (std::string name; std::getline(list, name, ',');) {
-        const AccelerationKind kind = kind_of(name);
-        if (std::ranges::find(kinds, kind) != kinds.end()) {
-            throw Error("the structure '" + name + "' is named twice");
-        }
-        kinds.push_back(kind);
-    }
-    if (kinds.empty()) {
+    if (text.empty()) {
         throw Error("no structure is given; use one of " + render::structure_names() + ", or all");
     }
-    return kinds;
+    if (text == "all") {
+        // Brute force comes first, because the others are compared with it.
+        std::rotate(all.begin(), std::ranges::find(all, AccelerationKind::brute_force), all.end());
+        return all;
+    }
+    return named_in<AccelerationKind>(text, "structure", all, render::name_of);
 }
 
 std::vector<AccelerationKind> structures_with_kernels(const std::string& text) {
-    std::vector<AccelerationKind> kinds = structures_from_text(text);
-    const auto is_without = [](AccelerationKind kind) { return !render::has_triangle_tests(kind); };
-    if (text == "all") {
-        std::erase_if(kinds, is_without);
-    }
-    const auto wrong = std::ranges::find_if(kinds, is_without);
-    if (wrong != kinds.end()) {
-        throw Error("the structure '" + std::string(name_of(*wrong)) +
-                    "' has its own triangle test");
-    }
-    return kinds;
+    return suitable_structures(text, render::has_triangle_tests, "has its own triangle test");
+}
+
+std::vector<AccelerationKind> structures_with_size(const std::string& text,
+                                                   render::VariedSize size) {
+    return suitable_structures(
+        text, [&](AccelerationKind kind) { return render::depends_on(kind, size); },
+        fmt::format("does not depend on the {}", facts(size).words));
 }
 
 }  // namespace carom::pipeline

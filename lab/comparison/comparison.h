@@ -22,6 +22,8 @@ enum class ShadowRays {
     any,     // at the first hit found
     closest  // only at the nearest one, as in the oldest ray tracers
 };
+/// "any" or "closest".
+[[nodiscard]] const char* name_of(ShadowRays shadow_rays);
 
 struct ComparisonOptions {
     std::vector<render::AccelerationKind> structures;  // at least one, in the order of the rows
@@ -38,16 +40,20 @@ struct ComparisonOptions {
     double enough_seconds = 1;
 };
 
-/// A row of the result.
-struct ComparedStructure {
-    std::string name;  // "bvh" or, of several triangle tests, "bvh, wald"
-    ShadowRays shadow_rays = ShadowRays::any;
+/// What is known of a structure in every measurement.
+struct StructureCost {
+    std::string name;          // "bvh" or, of several variants, "bvh, wald" or "bvh, 8 lanes"
     double build_seconds = 0;  // CPU time
     std::size_t bytes = 0;     // without the shapes themselves
-    double cpu_seconds = 0;    // of the frame, all threads, including shading, excluding the build
     bool is_counted = false;   // whether `tests` is valid
-    bool is_computed = false;  // tests and CPU time are extrapolated from a part of the picture
     render::TestCounts tests;  // by kind of ray
+};
+
+/// A row of the result.
+struct ComparedStructure : StructureCost {
+    ShadowRays shadow_rays = ShadowRays::any;
+    double cpu_seconds = 0;    // of the frame, all threads, including shading, excluding the build
+    bool is_computed = false;  // tests and CPU time are extrapolated from a part of the picture
 };
 
 struct Comparison {
@@ -85,5 +91,9 @@ using ComparisonProgress = std::function<void(std::string_view structure, double
 /// `text`. Throws Error if one of these has no choice.
 [[nodiscard]] std::vector<render::AccelerationKind> structures_with_kernels(
     const std::string& text);
+
+/// Likewise those that depend on the size.
+[[nodiscard]] std::vector<render::AccelerationKind> structures_with_size(const std::string& text,
+                                                                         render::VariedSize size);
 
 }  // namespace carom::pipeline

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "lab/comparison/frame_meter.h"
 #include "lab/comparison/growth_rays.h"
 #include "lab/comparison/lane_limit.h"
 #include "lab/comparison/structure_timing.h"
@@ -20,29 +19,9 @@ using render::Ray;
 
 constexpr std::size_t kRays = 20'000;
 
-/// The number of rays that hit something.
-std::size_t trace(const render::AccelerationStructure& structure, std::span<const Ray> rays) {
-    std::size_t count = 0;
+void trace(const render::AccelerationStructure& structure, const std::vector<Ray>& rays) {
     for (const Ray& ray : rays) {
-        count += hits(structure, ray) ? 1 : 0;
-    }
-    return count;
-}
-
-/// Batches of closest-hit queries, as in the product.
-void trace(const render::AccelerationStructure& structure, const std::vector<RayArrays>& arrays) {
-    for (const RayArrays& rays : arrays) {
-        std::array<render::Hit, kBatchRays> hits;
-        structure.closest_hits(rays.batch(), hits.data());
-    }
-}
-
-/// Batches of occlusion tests.
-void trace_shadows(const render::AccelerationStructure& structure,
-                   const std::vector<RayArrays>& arrays) {
-    for (const RayArrays& rays : arrays) {
-        RayArrays::Numbers t_max = rays.t_max();
-        structure.test_occlusion(rays.batch(), t_max.data());
+        static_cast<void>(hits(structure, ray));
     }
 }
 
@@ -57,22 +36,30 @@ std::vector<RayArrays> arrays_of(std::span<const Ray> rays) {
 
 void time_rays(const render::AccelerationStructure& structure, const RaysByKind& rays,
                double enough, const std::stop_token& stop, GrowthPoint& point) {
-    const auto per_ray = [](double seconds, std::size_t count) {
-        return count == 0 ? 0 : seconds / static_cast<double>(count);
+    const auto seconds_of_each = [&](const std::vector<Ray>& some, const auto& work) {
+        return least_seconds(work, enough, stop) /
+               static_cast<double>(std::max<std::size_t>(some.size(), 1));
     };
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const auto one_by_one = [&] { static_cast<void>(trace(structure, rays[i])); };
-        point.seconds_per_ray[i] = per_ray(least_seconds(one_by_one, enough, stop), rays[i].size());
+        point.seconds_per_ray[i] = seconds_of_each(rays[i], [&] { trace(structure, rays[i]); });
     }
+    // Batches of closest-hit queries and of occlusion tests, as in the product.
     std::vector<Ray> both = rays[0];
     both.insert(both.end(), rays[1].begin(), rays[1].end());
-    const std::vector<RayArrays> arrays = arrays_of(both);
-    const auto in_batches = [&] { trace(structure, arrays); };
-    point.seconds_per_ray_of_batch = per_ray(least_seconds(in_batches, enough, stop), both.size());
-    const std::vector<RayArrays> shadow_arrays = arrays_of(rays[2]);
-    const auto shadows_in_batches = [&] { trace_shadows(structure, shadow_arrays); };
-    point.seconds_per_shadow_ray_of_batch =
-        per_ray(least_seconds(shadows_in_batches, enough, stop), rays[2].size());
+    const std::vector<RayArrays> batches = arrays_of(both);
+    point.seconds_per_ray_of_batch = seconds_of_each(both, [&] {
+        for (const RayArrays& batch : batches) {
+            std::array<render::Hit, kBatchRays> hits;
+            structure.closest_hits(batch.batch(), hits.data());
+        }
+    });
+    const std::vector<RayArrays> shadow_batches = arrays_of(rays[2]);
+    point.seconds_per_shadow_ray_of_batch = seconds_of_each(rays[2], [&] {
+        for (const RayArrays& batch : shadow_batches) {
+            RayArrays::Numbers t_max = batch.t_max();
+            structure.test_occlusion(batch.batch(), t_max.data());
+        }
+    });
 }
 
 GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, const RaysByKind& rays,
@@ -86,13 +73,13 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, const 
         point.bytes = measured.structure().bytes();
         time_rays(frame.structure(), rays, enough, stop, point);
     }
-    point.is_counted = FrameMeter::can_count(kind);
+    point.is_counted = render::can_count(kind);
     if (point.is_counted) {
         measured.structure().set(true);
         const FrameScene counting = measured.frame();
         for (const std::vector<Ray>& of_kind : rays) {
             check_stop(stop);
-            static_cast<void>(trace(counting.structure(), of_kind));
+            trace(counting.structure(), of_kind);
         }
         point.tests = measured.structure().take_counts();
     }
@@ -111,17 +98,10 @@ std::vector<std::size_t> wanted_sizes(std::size_t largest) {
     return sizes;
 }
 
-LaboratoryScene scene_of(GrowingScene scene, std::size_t size) {
-    switch (scene) {
-        case GrowingScene::spheres:
-            return sphere_cloud(size);
-        case GrowingScene::balls:
-            return ball_cloud(size);
-        case GrowingScene::mesh:
-            break;
-    }
-    return single_knot(size);
-}
+constexpr std::array<GrowingSceneFacts, 3> kScenes{
+    {{GrowingScene::spheres, "spheres", "spheres", "spheres in a cube", sphere_cloud},
+     {GrowingScene::mesh, "mesh", "triangles", "triangles of a torus knot", single_knot},
+     {GrowingScene::balls, "balls", "balls", "balls in a cube, half of them moving", ball_cloud}}};
 
 std::size_t shapes_of(const LaboratoryScene& scene) {
     const auto* mesh = std::get_if<render::MeshShape>(&scene.scene.objects.front().shape);
@@ -154,7 +134,7 @@ std::vector<Variant> variants_of(const GrowthOptions& options) {
 
 void measure_size(std::size_t size, const GrowthOptions& options, const std::stop_token& stop,
                   const std::function<void(std::string_view)>& tell, Growth& growth) {
-    const LaboratoryScene scene = scene_of(options.scene, size);
+    const LaboratoryScene scene = facts(options.scene).make(size);
     const std::size_t shapes = shapes_of(scene);
     RaysByKind rays;
     {
@@ -185,6 +165,14 @@ void measure_size(std::size_t size, const GrowthOptions& options, const std::sto
 }
 
 }  // namespace
+
+std::span<const GrowingSceneFacts> growing_scenes() {
+    return kScenes;
+}
+
+const GrowingSceneFacts& facts(GrowingScene scene) {
+    return *std::ranges::find(kScenes, scene, &GrowingSceneFacts::scene);
+}
 
 std::vector<std::size_t> Growth::sizes() const {
     std::vector<std::size_t> sizes;

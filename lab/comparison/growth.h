@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lab/comparison/comparison.h"
@@ -16,6 +18,16 @@ enum class GrowingScene {
     mesh,     // a torus knot of ever smaller triangles
     balls     // like the spheres; half of them move, each with an impact during the shutter
 };
+
+struct GrowingSceneFacts {
+    GrowingScene scene;
+    std::string_view name;
+    std::string_view shapes;  // what it is made of
+    std::string_view what;
+    LaboratoryScene (*make)(std::size_t shapes);
+};
+[[nodiscard]] std::span<const GrowingSceneFacts> growing_scenes();
+[[nodiscard]] const GrowingSceneFacts& facts(GrowingScene scene);
 
 struct GrowthOptions {
     GrowingScene scene = GrowingScene::spheres;
@@ -30,16 +42,11 @@ struct GrowthOptions {
 
 /// One structure, with one size of vectors, for one scene. Arrays are by kind of ray, in the order
 /// of render::RayKind.
-struct GrowthPoint {
-    std::string name;  // "bvh" or, of several sizes, "bvh, 8 lanes"
+struct GrowthPoint : StructureCost {
     std::size_t shapes = 0;
-    double build_seconds = 0;  // CPU time
-    std::size_t bytes = 0;
     std::array<double, 3> seconds_per_ray{};  // CPU time of intersection alone
     double seconds_per_ray_of_batch = 0;      // in batches of kBatchRays closest-hit queries
     double seconds_per_shadow_ray_of_batch = 0;
-    bool is_counted = false;
-    render::TestCounts tests;
 };
 
 struct Growth {

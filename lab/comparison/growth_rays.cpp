@@ -160,9 +160,8 @@ LaboratoryScene single_knot(std::size_t shapes) {
     return scene;
 }
 
-std::array<std::vector<Ray>, 3> growth_rays(const render::AccelerationStructure& structure,
-                                            std::size_t count) {
-    std::array<std::vector<Ray>, 3> rays;
+RaysByKind growth_rays(const render::AccelerationStructure& structure, std::size_t count) {
+    RaysByKind rays;
     rays[0] = camera_rays(count);
     const V3f light(1.5f, -1, 4);
     Numbers numbers(1);
@@ -190,6 +189,16 @@ std::array<std::vector<Ray>, 3> growth_rays(const render::AccelerationStructure&
         rays[2].push_back(shadow);
     }
     return rays;
+}
+
+RaysByKind thinned(const RaysByKind& rays, std::size_t every) {
+    RaysByKind some;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        for (std::size_t k = 0; k < rays[i].size(); k += every) {
+            some[i].push_back(rays[i][k]);
+        }
+    }
+    return some;
 }
 
 RayArrays::RayArrays(std::span<const Ray> rays) : count_(static_cast<int>(rays.size())) {

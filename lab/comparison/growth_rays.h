@@ -22,10 +22,16 @@ namespace carom::pipeline {
 /// every 0.1 s.
 [[nodiscard]] LaboratoryScene restless_balls(std::size_t balls);
 
-/// By render::RayKind: about `count` rays from a camera, one onwards from each of their hits, and
-/// one from there to a light, at random times. `structure` finds the hits.
-[[nodiscard]] std::array<std::vector<render::Ray>, 3> growth_rays(
-    const render::AccelerationStructure& structure, std::size_t count);
+/// By render::RayKind.
+using RaysByKind = std::array<std::vector<render::Ray>, 3>;
+
+/// About `count` rays from a camera, one onwards from each of their hits, and one from there to a
+/// light, at random times. `structure` finds the hits.
+[[nodiscard]] RaysByKind growth_rays(const render::AccelerationStructure& structure,
+                                     std::size_t count);
+
+/// Every `every`th ray.
+[[nodiscard]] RaysByKind thinned(const RaysByKind& rays, std::size_t every);
 
 /// The size of a batch of rays in a wavefront (render/integrator/wave).
 inline constexpr int kBatchRays = 64;

@@ -16,16 +16,4 @@ namespace carom::pipeline {
 [[nodiscard]] std::vector<render::triangle::Technique> techniques_from_text(
     const std::string& text);
 
-/// "one", "4 rays", "8 triangles"
-[[nodiscard]] const char* title_of(render::triangle::Packing packing);
-
-/// "corners", "with normal", "record"
-[[nodiscard]] const char* title_of(render::triangle::Input input);
-
-/// "structure of arrays"
-[[nodiscard]] const char* title_of(render::triangle::Technique technique);
-
-/// "Wald, record, early"
-[[nodiscard]] std::string title_of(const render::triangle::Form& form);
-
 }  // namespace carom::pipeline

@@ -14,6 +14,10 @@ struct KernelRatio {
     double streamed = 0;           // 0: not measured
 };
 
+/// Those of a variant with the first library; null if it was not measured.
+[[nodiscard]] const render::triangle::VariantRates* rates_of(
+    const render::triangle::KernelMeasurements& measured, const render::triangle::Variant& variant);
+
 /// Perpendicular planes relative to Wald's, in the same variant. Empty unless both were measured.
 [[nodiscard]] std::vector<KernelRatio> planes_against_wald(
     const render::triangle::KernelMeasurements& measured);

@@ -26,9 +26,9 @@ struct LaboratoryScene {
 struct LaboratorySceneName {
     std::string_view name;
     std::string_view what;
+    LaboratoryScene (*make)();  // without `what`
 };
 
-/// The names of all scenes.
 [[nodiscard]] std::span<const LaboratorySceneName> laboratory_scene_names();
 
 /// Throws Error that lists the names if `name` is unknown.

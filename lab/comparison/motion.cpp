@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 
-#include "lab/comparison/frame_meter.h"
 #include "lab/comparison/growth_rays.h"
 #include "lab/comparison/structure_timing.h"
 #include "render/acceleration/flush_denormals.h"
@@ -134,7 +133,7 @@ class MotionRun {
                                        const RaysByKind& rays, std::size_t shapes) const {
         const render::FlushDenormals flush;
         MotionPoint point;
-        point.structure = name_of(kind);
+        point.name = name_of(kind);
         point.intervals = intervals;
         point.shutter = shutter;
         point.shapes = shapes;
@@ -155,7 +154,7 @@ class MotionRun {
         }
         point.build_seconds =
             least_build_seconds(measured, shutter, intervals, options_.enough_seconds);
-        point.is_counted = FrameMeter::can_count(kind);
+        point.is_counted = render::can_count(kind);
         if (point.is_counted) {
             measured.structure().set(true);
             const Parts counting(measured, shutter, intervals);
@@ -180,19 +179,19 @@ class MotionRun {
 
 }  // namespace
 
-std::string MotionPoint::name() const {
-    return intervals == 1 ? structure : structure + ", " + std::to_string(intervals) + " intervals";
+std::string MotionPoint::full_name() const {
+    return intervals == 1 ? name : name + ", " + std::to_string(intervals) + " intervals";
 }
 
-const MotionPoint* Motion::point(const std::string& name, double shutter) const {
+const MotionPoint* Motion::point(const std::string& full_name, double shutter) const {
     const auto found = std::ranges::find_if(points, [&](const MotionPoint& point) {
-        return point.shutter == shutter && point.name() == name;
+        return point.shutter == shutter && point.full_name() == full_name;
     });
     return found == points.end() ? nullptr : &*found;
 }
 
 double Motion::break_even(const MotionPoint& divided) const {
-    const MotionPoint* whole = point(divided.structure, divided.shutter);
+    const MotionPoint* whole = point(divided.name, divided.shutter);
     const double never = std::numeric_limits<double>::infinity();
     if (whole == nullptr || whole == &divided) {
         return never;

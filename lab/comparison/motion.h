@@ -21,25 +21,17 @@ struct MotionOptions {
     double enough_seconds = 0.1;  // CPU time spent on the rays, at least
 };
 
-/// One structure for each of `intervals` parts of one shutter.
-struct MotionPoint {
-    std::string structure;
+/// One structure for each of `intervals` parts of one shutter. Building and bytes are those of all
+/// parts.
+struct MotionPoint : StructureCost {
     int intervals = 1;
     double shutter = 0;          // s
     std::size_t shapes = 0;      // of the whole shutter: a ball has one for each leg of its path
-    double build_seconds = 0;    // CPU time of all parts
-    std::size_t bytes = 0;       // of all parts
     double seconds_per_ray = 0;  // CPU time of intersection alone, the mean over all rays
     double hits = 0;             // the fraction of rays that hit something
-    bool is_counted = false;
-    render::TestCounts tests;
 
     /// "bvh" or, for several parts, "bvh, 4 intervals".
-    [[nodiscard]] std::string name() const;
-    /// CPU time of a ray and its share of the building if `rays` are traced.
-    [[nodiscard]] double seconds_with_building(double rays) const {
-        return seconds_per_ray + build_seconds / rays;
-    }
+    [[nodiscard]] std::string full_name() const;
 };
 
 struct Motion {
@@ -49,7 +41,7 @@ struct Motion {
     bool is_whole = false;
 
     /// Null if it was not measured.
-    [[nodiscard]] const MotionPoint* point(const std::string& name, double shutter) const;
+    [[nodiscard]] const MotionPoint* point(const std::string& full_name, double shutter) const;
     /// The number of rays from which the parts of `point` cost less than one structure for the
     /// whole shutter; infinite if they never do.
     [[nodiscard]] double break_even(const MotionPoint& point) const;

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 
-#include "core/error.h"
-#include "lab/structures/make_structure.h"
-
 namespace carom::pipeline {
 
-using render::AccelerationKind;
 using render::VariedSize;
 
 const ComparedStructure* SizeCurve::row(const std::string& name, std::size_t place) const {
@@ -38,38 +34,6 @@ SizeCurve measure_sizes(const LaboratoryScene& scene, VariedSize size,
         }
     }
     return curve;
-}
-
-std::vector<AccelerationKind> structures_with_size(const std::string& text, VariedSize size) {
-    std::vector<AccelerationKind> kinds = structures_from_text(text);
-    const auto is_without = [&](AccelerationKind kind) { return !render::depends_on(kind, size); };
-    if (text == "all") {
-        std::erase_if(kinds, is_without);
-    }
-    const auto wrong = std::ranges::find_if(kinds, is_without);
-    if (wrong != kinds.end()) {
-        throw Error("the structure '" + std::string(name_of(*wrong)) + "' does not depend on the " +
-                    words_of(size));
-    }
-    return kinds;
-}
-
-std::string words_of(VariedSize size) {
-    std::string words = name_of(size);
-    std::ranges::replace(words, '_', ' ');
-    return words;
-}
-
-const char* name_of(VariedSize size) {
-    switch (size) {
-        case VariedSize::leaf_capacity:
-            return "leaf_capacity";
-        case VariedSize::node_capacity:
-            return "node_capacity";
-        case VariedSize::grid_density:
-            break;
-    }
-    return "grid_density";
 }
 
 }  // namespace carom::pipeline

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "lab/comparison/comparison.h"
-#include "lab/structures/varied_size.h"
 
 namespace carom::pipeline {
 
@@ -25,15 +24,5 @@ struct SizeCurve {
                                       const ComparisonOptions& options,
                                       const ComparisonProgress& progress,
                                       const std::stop_token& stop);
-
-/// Those of the structures that depend on the size, if `text` is "all"; otherwise all of `text`.
-/// Throws Error if one of these does not.
-[[nodiscard]] std::vector<render::AccelerationKind> structures_with_size(const std::string& text,
-                                                                         render::VariedSize size);
-
-/// "leaf_capacity"
-[[nodiscard]] const char* name_of(render::VariedSize size);
-/// "leaf capacity"
-[[nodiscard]] std::string words_of(render::VariedSize size);
 
 }  // namespace carom::pipeline

@@ -2,10 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <stop_token>
-#include <vector>
 
 #include "core/cpu_time.h"
 #include "core/error.h"
@@ -16,9 +13,6 @@
 #include "render/geometry/ray.h"
 
 namespace carom::pipeline {
-
-/// By render::RayKind.
-using RaysByKind = std::array<std::vector<render::Ray>, 3>;
 
 /// Throws Stopped.
 inline void check_stop(const std::stop_token& stop) {
@@ -59,9 +53,6 @@ class MeasuredScene {
     return ray.kind == render::RayKind::shadow ? structure.any_hit(ray)
                                                : structure.closest_hit(ray, hit);
 }
-
-/// Every `every`th ray.
-[[nodiscard]] RaysByKind thinned(const RaysByKind& rays, std::size_t every);
 
 /// CPU time of `work`, the least of several runs, because other load on the machine only slows it
 /// down. `enough`: s.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace carom::render {
@@ -32,9 +33,13 @@ enum class AccelerationKind {
     wide_bvh
 };
 
+/// A size that some structures leave open.
+enum class VariedSize { leaf_capacity, node_capacity, grid_density };
+
 struct AccelerationName {
     std::string_view name;
     AccelerationKind kind;
+    std::optional<VariedSize> size{};  // the one that the structure leaves open
 };
 
 inline constexpr std::array<AccelerationName, 23> kAccelerationNames{
@@ -42,24 +47,24 @@ inline constexpr std::array<AccelerationName, 23> kAccelerationNames{
      {"embree", AccelerationKind::embree},
      {"brute_force", AccelerationKind::brute_force},
      {"single_boxes", AccelerationKind::single_boxes},
-     {"grid", AccelerationKind::grid},
-     {"octree", AccelerationKind::octree},
-     {"octree_queue", AccelerationKind::octree_queue},
-     {"octree_loose", AccelerationKind::octree_loose},
-     {"octree_enclosing", AccelerationKind::octree_enclosing},
-     {"octree_overlapping", AccelerationKind::octree_overlapping},
-     {"octree_cut", AccelerationKind::octree_cut},
-     {"kdtree", AccelerationKind::kd_tree},
-     {"kdtree_median", AccelerationKind::kd_tree_median},
-     {"bsp", AccelerationKind::bsp_tree},
-     {"rtree", AccelerationKind::r_tree},
-     {"rtree_hilbert", AccelerationKind::r_tree_hilbert},
-     {"rtree_cyclic", AccelerationKind::r_tree_cyclic},
+     {"grid", AccelerationKind::grid, VariedSize::grid_density},
+     {"octree", AccelerationKind::octree, VariedSize::leaf_capacity},
+     {"octree_queue", AccelerationKind::octree_queue, VariedSize::leaf_capacity},
+     {"octree_loose", AccelerationKind::octree_loose, VariedSize::leaf_capacity},
+     {"octree_enclosing", AccelerationKind::octree_enclosing, VariedSize::leaf_capacity},
+     {"octree_overlapping", AccelerationKind::octree_overlapping, VariedSize::leaf_capacity},
+     {"octree_cut", AccelerationKind::octree_cut, VariedSize::leaf_capacity},
+     {"kdtree", AccelerationKind::kd_tree, VariedSize::leaf_capacity},
+     {"kdtree_median", AccelerationKind::kd_tree_median, VariedSize::leaf_capacity},
+     {"bsp", AccelerationKind::bsp_tree, VariedSize::leaf_capacity},
+     {"rtree", AccelerationKind::r_tree, VariedSize::node_capacity},
+     {"rtree_hilbert", AccelerationKind::r_tree_hilbert, VariedSize::node_capacity},
+     {"rtree_cyclic", AccelerationKind::r_tree_cyclic, VariedSize::node_capacity},
      {"kay_kajiya", AccelerationKind::slabs},
      {"box_volumes", AccelerationKind::box_volumes},
      {"sphere_volumes", AccelerationKind::sphere_volumes},
      {"oriented_box_volumes", AccelerationKind::oriented_box_volumes},
-     {"bvh", AccelerationKind::bvh},
+     {"bvh", AccelerationKind::bvh, VariedSize::leaf_capacity},
      {"wide_bvh", AccelerationKind::wide_bvh}}};
 
 }  // namespace carom::render

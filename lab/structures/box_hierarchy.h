@@ -46,6 +46,11 @@ class BoxHierarchy {
 
     template <class Query>
     void search(Query& query) const {
+        search(query, [&](std::uint32_t shape) { return query.test(shape); });
+    }
+    /// The same with another test of a shape, which returns whether the search is over.
+    template <class Query, class Test>
+    void search(Query& query, const Test& test) const {
         if (nodes_.empty()) {
             return;
         }
@@ -59,7 +64,7 @@ class BoxHierarchy {
                 continue;
             }
             if (next.is_shape) {
-                if (query.test(next.index)) {
+                if (test(next.index)) {
                     return;
                 }
                 continue;

@@ -1,23 +1,24 @@
 #include "lab/structures/bsp_tree.h"
 
 #include <cmath>
-#include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "lab/structures/outlines.h"
 
 namespace carom::render {
 namespace {
 
-using Tree = PlanesTree<BspTree::kNormals>;
-using Members = std::vector<std::uint32_t>;
+using Members = BspTree::Members;
+
+constexpr std::size_t kNormals = std::tuple_size_v<BspTree::Normals>;
 
 constexpr int kFew = 2;
 constexpr double kImbalance = 0.25;  // weight of the imbalance between sides, in copies of shapes
 constexpr double kMostCopies = 0.5;  // of the members
 
-Tree::Normals directions() {
-    Tree::Normals normals;
+BspTree::Normals directions() {
+    BspTree::Normals normals;
     std::size_t count = 0;
     for (int x = -1; x <= 1; ++x) {
         for (int y = -1; y <= 1; ++y) {
@@ -36,21 +37,19 @@ Tree::Normals directions() {
 
 class Builder {
   public:
-    Builder(const Primitives& primitives, const StructureSizes& sizes, const Tree::Normals& normals,
-            Tree& tree)
+    Builder(const Primitives& primitives, const StructureSizes& sizes, BspTree& tree)
         : tree_(tree),
-          few_(static_cast<std::size_t>(sizes.leaf_capacity > 0 ? sizes.leaf_capacity : kFew)),
-          extents_(BspTree::kNormals) {
+          few_(sizes.leaf_capacity_or(kFew)),
+          extents_(kNormals),
+          deepest_(tree.most_levels()) {
+        const BspTree::Normals normals = directions();
         const Outlines outlines(primitives);
-        for (std::size_t k = 0; k < BspTree::kNormals; ++k) {
+        for (std::size_t k = 0; k < kNormals; ++k) {
             for (std::uint32_t shape = 0; shape < outlines.size(); ++shape) {
                 extents_[k].push_back(outlines.extent(shape, normals[k]));
             }
         }
-        Members all(primitives.bounded().size());
-        std::iota(all.begin(), all.end(), 0u);
-        deepest_ = 8 + static_cast<int>(1.3 * std::log2(static_cast<double>(all.size())));
-        build(all, 0);
+        build(tree.all_shapes(), 0);
     }
 
   private:
@@ -63,7 +62,7 @@ class Builder {
     [[nodiscard]] std::optional<Cut> best_cut(const Members& members) const {
         std::optional<Cut> best;
         std::vector<float> middles(members.size());
-        for (std::size_t k = 0; k < BspTree::kNormals; ++k) {
+        for (std::size_t k = 0; k < kNormals; ++k) {
             const std::vector<Extent>& extents = extents_[k];
             for (std::size_t i = 0; i < members.size(); ++i) {
                 middles[i] = 0.5f * (extents[members[i]].low + extents[members[i]].high);
@@ -116,31 +115,23 @@ class Builder {
                 high.push_back(member);
             }
         }
-        const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
-        tree_.nodes.push_back(
-            {static_cast<double>(cut->offset), static_cast<std::uint32_t>(cut->normal), 0, 0});
-        const std::uint32_t low_node = build(low, depth + 1);
-        const std::uint32_t high_node = build(high, depth + 1);
-        tree_.nodes[index].low = low_node;
-        tree_.nodes[index].high = high_node;
-        return index;
+        return tree_.add_node(
+            cut->offset, cut->normal, [&] { return build(low, depth + 1); },
+            [&] { return build(high, depth + 1); });
     }
 
-    Tree& tree_;
+    BspTree& tree_;
     std::size_t few_;
     std::vector<std::vector<Extent>> extents_;  // by normal, then by shape
-    int deepest_ = 0;
+    int deepest_;
 };
 
 }  // namespace
 
-BspTree::BspTree(const Primitives& primitives, const StructureSizes& sizes) : tree_(directions()) {
-    tree_.boxes = swept_boxes(primitives);
-    for (const Imath::Box3f& box : tree_.boxes) {
-        tree_.bounds.extendBy(box);
-    }
-    if (!tree_.boxes.empty()) {
-        Builder(primitives, sizes, directions(), tree_);
+BspTree::BspTree(const Primitives& primitives, const StructureSizes& sizes)
+    : PlanesTree(directions(), swept_boxes(primitives)) {
+    if (!boxes.empty()) {
+        Builder(primitives, sizes, *this);
     }
 }
 

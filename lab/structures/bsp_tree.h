@@ -10,20 +10,9 @@ namespace carom::render {
 /// rays Naylor and Thibault 1986. Planes are perpendicular to the axes, the face diagonals and the
 /// space diagonals of a cube. Through the median shape, the plane is chosen that leaves the fewest
 /// shapes on both sides and divides the others most evenly.
-class BspTree {
+class BspTree : public PlanesTree<13> {
   public:
-    static constexpr std::size_t kNormals = 13;
-
     BspTree(const Primitives& primitives, const StructureSizes& sizes);
-
-    template <class Query>
-    void search(Query& query) const {
-        tree_.search(query);
-    }
-    [[nodiscard]] std::size_t bytes() const { return tree_.bytes(); }
-
-  private:
-    PlanesTree<kNormals> tree_;
 };
 
 }  // namespace carom::render

@@ -1,15 +1,12 @@
 #include "lab/structures/kd_tree.h"
 
-#include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace carom::render {
 namespace {
 
 using Box = Imath::Box3f;
-using Tree = PlanesTree<3>;
-using Members = std::vector<std::uint32_t>;
+using Members = KdTree::Members;
 
 constexpr std::size_t kPlaces = 32;
 constexpr int kFew = 2;              // nodes with so few shapes are not split
@@ -24,7 +21,7 @@ struct Plane {
 };
 
 struct Builder {
-    Tree& tree;
+    KdTree& tree;
     std::size_t few = 0;
     int deepest = 0;
 
@@ -102,36 +99,21 @@ std::uint32_t Builder::build(const Members& members, const Box& region, int dept
     if (is_useless || (low.size() == members.size() && high.size() == members.size())) {
         return tree.add_leaf(members);
     }
-    const auto index = static_cast<std::uint32_t>(tree.nodes.size());
-    tree.nodes.push_back(
-        {static_cast<double>(plane->place), static_cast<std::uint32_t>(plane->axis), 0, 0});
     Box left = region;
     Box right = region;
     left.max[plane->axis] = plane->place;
     right.min[plane->axis] = plane->place;
-    const std::uint32_t low_node = build(low, left, depth + 1);
-    const std::uint32_t high_node = build(high, right, depth + 1);
-    tree.nodes[index].low = low_node;
-    tree.nodes[index].high = high_node;
-    return index;
+    return tree.add_node(
+        plane->place, static_cast<std::size_t>(plane->axis),
+        [&] { return build(low, left, depth + 1); }, [&] { return build(high, right, depth + 1); });
 }
 
 }  // namespace
 
 KdTree::KdTree(const Primitives& primitives, const StructureSizes& sizes)
-    : tree_({V3f(1, 0, 0), V3f(0, 1, 0), V3f(0, 0, 1)}) {
-    tree_.boxes = swept_boxes(primitives);
-    Members all(tree_.boxes.size());
-    std::iota(all.begin(), all.end(), 0u);
-    for (const Box& box : tree_.boxes) {
-        tree_.bounds.extendBy(box);
-    }
-    if (!all.empty()) {
-        // The depth found by Havran 2000, "Heuristic ray shooting algorithms", section 4.5.
-        const double levels = std::log2(static_cast<double>(all.size()));
-        const int few = sizes.leaf_capacity > 0 ? sizes.leaf_capacity : kFew;
-        Builder{tree_, static_cast<std::size_t>(few), 8 + static_cast<int>(1.3 * levels)}.build(
-            all, tree_.bounds, 0);
+    : PlanesTree({V3f(1, 0, 0), V3f(0, 1, 0), V3f(0, 0, 1)}, swept_boxes(primitives)) {
+    if (!boxes.empty()) {
+        Builder{*this, sizes.leaf_capacity_or(kFew), most_levels()}.build(all_shapes(), bounds, 0);
     }
 }
 

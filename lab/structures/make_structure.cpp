@@ -113,9 +113,16 @@ MadeStructure make_structure(AccelerationKind kind, const ShapeSet& shapes,
     return {std::move(structure), bytes, process_cpu_seconds() - start};
 }
 
+bool can_count(AccelerationKind kind) {
+    return kind != AccelerationKind::hybrid && kind != AccelerationKind::embree;
+}
+
 bool has_triangle_tests(AccelerationKind kind) {
-    return kind != AccelerationKind::hybrid && kind != AccelerationKind::embree &&
-           kind != AccelerationKind::wide_bvh;
+    return can_count(kind) && kind != AccelerationKind::wide_bvh;
+}
+
+bool depends_on(AccelerationKind kind, VariedSize size) {
+    return std::ranges::find(kAccelerationNames, kind, &AccelerationName::kind)->size == size;
 }
 
 AccelerationKind structure_kind(const std::string& name) {

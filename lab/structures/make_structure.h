@@ -27,8 +27,14 @@ struct MadeStructure {
                                            std::span<const MeshEntry> meshes,
                                            const StructureOptions& options = {});
 
+/// Whether its tests can be counted.
+[[nodiscard]] bool can_count(AccelerationKind kind);
+
 /// Whether its triangles are tested one by one, by StructureOptions::triangle_test.
 [[nodiscard]] bool has_triangle_tests(AccelerationKind kind);
+
+/// Whether the structure depends on this size.
+[[nodiscard]] bool depends_on(AccelerationKind kind, VariedSize size);
 
 /// Throws Error that lists the names if there is none.
 [[nodiscard]] AccelerationKind structure_kind(const std::string& name);

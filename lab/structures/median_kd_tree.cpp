@@ -18,10 +18,7 @@ constexpr int kLeafCapacity = 2;
 class MedianKdTree::Builder {
   public:
     Builder(const std::vector<Box>& boxes, const StructureSizes& sizes, MedianKdTree& tree)
-        : boxes_(boxes),
-          few_(static_cast<std::size_t>(sizes.leaf_capacity > 0 ? sizes.leaf_capacity
-                                                                : kLeafCapacity)),
-          tree_(tree) {
+        : boxes_(boxes), few_(sizes.leaf_capacity_or(kLeafCapacity)), tree_(tree) {
         std::vector<std::uint32_t> all(boxes.size());
         std::iota(all.begin(), all.end(), 0u);
         Box region;

@@ -1,6 +1,7 @@
 // A kd-tree of shapes, split at the median.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "lab/structures/box_hierarchy.h"
@@ -19,8 +20,12 @@ class MedianKdTree {
 
     template <class Query>
     void search(Query& query) const {
-        LeafQuery<Query> leaves{query, *this};
-        boxes_.search(leaves);
+        boxes_.search(query, [&](std::uint32_t leaf) {
+            const auto shapes =
+                std::span(shapes_).subspan(leaves_[leaf].first, leaves_[leaf].count);
+            return std::ranges::any_of(shapes,
+                                       [&](std::uint32_t shape) { return query.test(shape); });
+        });
     }
     [[nodiscard]] std::size_t bytes() const {
         return boxes_.bytes() + bytes_of(leaves_) + bytes_of(shapes_);
@@ -31,28 +36,6 @@ class MedianKdTree {
 
     struct Leaf {
         std::uint32_t first = 0, count = 0;  // of `shapes_`
-    };
-
-    /// Presents each leaf to the hierarchy as one shape.
-    template <class Query>
-    struct LeafQuery {
-        Query& query;
-        const MedianKdTree& tree;
-
-        [[nodiscard]] float t_max() const { return query.t_max(); }
-        void note_node() { query.note_node(); }
-        [[nodiscard]] bool enters(const Imath::Box3f& box, float& enter) {
-            return query.enters(box, enter);
-        }
-        bool test(std::uint32_t leaf) {
-            const Leaf& range = tree.leaves_[leaf];
-            for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
-                if (query.test(tree.shapes_[i])) {
-                    return true;
-                }
-            }
-            return false;
-        }
     };
 
     BoxHierarchy boxes_;  // its shapes are the leaves

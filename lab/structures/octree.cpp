@@ -66,8 +66,7 @@ template <Placement placement>
 class Builder {
   public:
     Builder(const std::vector<Box>& boxes, const StructureSizes& sizes, BoxHierarchy& result)
-        : result_(result),
-          few_(static_cast<std::size_t>(sizes.leaf_capacity > 0 ? sizes.leaf_capacity : kFew)) {
+        : result_(result), few_(sizes.leaf_capacity_or(kFew)) {
         Entries all;
         Box centres;
         for (std::uint32_t shape = 0; shape < boxes.size(); ++shape) {

@@ -44,27 +44,14 @@ class Octree : public BoxHierarchy {
     template <class Query>
     void search(Query& query) const {
         if constexpr (has_copies(placement)) {
-            OnceQuery<Query> once{query, {}};
-            BoxHierarchy::search(once);
+            Mailbox mailbox;
+            BoxHierarchy::search(query, [&](std::uint32_t shape) {
+                return !mailbox.knows(shape) && query.test(shape);
+            });
         } else {
             BoxHierarchy::search(query);
         }
     }
-
-  private:
-    /// Leaves out shapes that were tested before.
-    template <class Query>
-    struct OnceQuery {
-        Query& query;
-        Mailbox mailbox;
-
-        [[nodiscard]] float t_max() const { return query.t_max(); }
-        void note_node() { query.note_node(); }
-        [[nodiscard]] bool enters(const Imath::Box3f& box, float& enter) {
-            return query.enters(box, enter);
-        }
-        bool test(std::uint32_t shape) { return !mailbox.knows(shape) && query.test(shape); }
-    };
 };
 
 extern template class Octree<Placement::centre>;

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "lab/structures/query.h"
-#include "lab/structures/shared_counts.h"
 #include "lab/structures/structure_options.h"
+#include "lab/structures/test_counts.h"
 #include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/safe_ray.h"
 

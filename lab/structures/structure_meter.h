@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "lab/structures/make_structure.h"
-#include "lab/structures/shared_counts.h"
+#include "lab/structures/test_counts.h"
 
 namespace carom::render {
 

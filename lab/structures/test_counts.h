@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <mutex>
+#include <utility>
 
 #include "render/geometry/ray.h"
 
@@ -24,6 +26,9 @@ struct KindCounts {
     }
 };
 
+/// By RayKind.
+inline constexpr std::array<const char*, 3> kRayKindNames{"primary", "secondary", "shadow"};
+
 /// Counts by RayKind.
 struct TestCounts {
     std::array<KindCounts, 3> of{};
@@ -34,12 +39,6 @@ struct TestCounts {
     [[nodiscard]] const KindCounts& operator[](RayKind kind) const {
         return of[static_cast<std::size_t>(kind)];
     }
-    TestCounts& operator+=(const TestCounts& other) {
-        for (std::size_t i = 0; i < of.size(); ++i) {
-            of[i] += other.of[i];
-        }
-        return *this;
-    }
     [[nodiscard]] KindCounts total() const {
         KindCounts sum;
         for (const KindCounts& kind : of) {
@@ -47,6 +46,26 @@ struct TestCounts {
         }
         return sum;
     }
+};
+
+/// Counts that many threads add to.
+class SharedCounts {
+  public:
+    /// Adds the tests of one ray; `counts.rays` is ignored.
+    void add_ray(RayKind kind, KindCounts counts) {
+        counts.rays = 1;
+        const std::scoped_lock lock(mutex_);
+        counts_[kind] += counts;
+    }
+    /// All since the last call.
+    [[nodiscard]] TestCounts take() {
+        const std::scoped_lock lock(mutex_);
+        return std::exchange(counts_, {});
+    }
+
+  private:
+    std::mutex mutex_;
+    TestCounts counts_;
 };
 
 }  // namespace carom::render

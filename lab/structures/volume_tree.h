@@ -40,7 +40,36 @@ class VolumeTree {
     }
 
     template <class Query>
-    void search(Query& query) const;
+    void search(Query& query) const {
+        if (nodes_.empty()) {
+            return;
+        }
+        const typename Volumes::Probe probe(query.ray());
+        std::vector<Waiting> storage;
+        storage.reserve(64);
+        std::priority_queue<Waiting> heap({}, std::move(storage));
+        const auto consider = [&](std::uint32_t node) {
+            query.note_boxes(1);
+            float enter = 0;
+            if (probe.enters(nodes_[node].volume, query.t_max(), enter)) {
+                heap.push({enter, node});
+            }
+        };
+        consider(0);
+        while (!heap.empty() && heap.top().enter <= query.t_max()) {
+            const Node& node = nodes_[heap.top().node];
+            heap.pop();
+            query.note_node();
+            if (node.right == 0) {
+                if (query.test(node.left)) {
+                    return;
+                }
+                continue;
+            }
+            consider(node.left);
+            consider(node.right);
+        }
+    }
 
     [[nodiscard]] std::size_t bytes() const { return bytes_of(nodes_); }
 
@@ -59,76 +88,38 @@ class VolumeTree {
         bool operator<(const Waiting& other) const { return enter > other.enter; }
     };
 
-    std::uint32_t build(const Outlines& outlines, std::span<std::uint32_t> shapes);
-    static void halve(const Outlines& outlines, std::span<std::uint32_t> shapes);
+    std::uint32_t build(const Outlines& outlines, std::span<std::uint32_t> shapes) {
+        const auto index = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+        if (shapes.size() == 1) {
+            nodes_[index] = {Volumes::around(outlines, shapes[0]), shapes[0], 0};
+            return index;
+        }
+        halve(outlines, shapes);
+        const std::uint32_t left = build(outlines, shapes.first(shapes.size() / 2));
+        const std::uint32_t right = build(outlines, shapes.subspan(shapes.size() / 2));
+        nodes_[index] = {
+            Volumes::around(outlines, shapes, nodes_[left].volume, nodes_[right].volume), left,
+            right};
+        return index;
+    }
+
+    static void halve(const Outlines& outlines, std::span<std::uint32_t> shapes) {
+        Imath::Box3f centres;
+        for (const std::uint32_t shape : shapes) {
+            centres.extendBy(outlines.box(shape).center());
+        }
+        const auto axis = static_cast<int>(centres.majorAxis());
+        // Of equal centres the lower index comes first, so that the tree is deterministic.
+        const auto place = [&](std::uint32_t shape) {
+            return std::pair(outlines.box(shape).center()[axis], shape);
+        };
+        std::nth_element(
+            shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(shapes.size() / 2),
+            shapes.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+    }
 
     std::vector<Node> nodes_;  // the root is the first
 };
-
-template <class Volumes>
-void VolumeTree<Volumes>::halve(const Outlines& outlines, std::span<std::uint32_t> shapes) {
-    Imath::Box3f centres;
-    for (const std::uint32_t shape : shapes) {
-        centres.extendBy(outlines.box(shape).center());
-    }
-    const auto axis = static_cast<int>(centres.majorAxis());
-    // Of equal centres the lower index comes first, so that the tree is deterministic.
-    const auto place = [&](std::uint32_t shape) {
-        return std::pair(outlines.box(shape).center()[axis], shape);
-    };
-    std::nth_element(shapes.begin(),
-                     shapes.begin() + static_cast<std::ptrdiff_t>(shapes.size() / 2), shapes.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-}
-
-template <class Volumes>
-std::uint32_t VolumeTree<Volumes>::build(const Outlines& outlines,
-                                         std::span<std::uint32_t> shapes) {
-    const auto index = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.emplace_back();
-    if (shapes.size() == 1) {
-        nodes_[index] = {Volumes::around(outlines, shapes[0]), shapes[0], 0};
-        return index;
-    }
-    halve(outlines, shapes);
-    const std::uint32_t left = build(outlines, shapes.first(shapes.size() / 2));
-    const std::uint32_t right = build(outlines, shapes.subspan(shapes.size() / 2));
-    nodes_[index] = {Volumes::around(outlines, shapes, nodes_[left].volume, nodes_[right].volume),
-                     left, right};
-    return index;
-}
-
-template <class Volumes>
-template <class Query>
-void VolumeTree<Volumes>::search(Query& query) const {
-    if (nodes_.empty()) {
-        return;
-    }
-    const typename Volumes::Probe probe(query.ray());
-    std::vector<Waiting> storage;
-    storage.reserve(64);
-    std::priority_queue<Waiting> heap({}, std::move(storage));
-    const auto consider = [&](std::uint32_t node) {
-        query.note_boxes(1);
-        float enter = 0;
-        if (probe.enters(nodes_[node].volume, query.t_max(), enter)) {
-            heap.push({enter, node});
-        }
-    };
-    consider(0);
-    while (!heap.empty() && heap.top().enter <= query.t_max()) {
-        const Node& node = nodes_[heap.top().node];
-        heap.pop();
-        query.note_node();
-        if (node.right == 0) {
-            if (query.test(node.left)) {
-                return;
-            }
-            continue;
-        }
-        consider(node.left);
-        consider(node.right);
-    }
-}
 
 }  // namespace carom::render

@@ -2,7 +2,7 @@
 
 #include "lab/structures/counted_trees.h"
 #include "lab/structures/primitives.h"
-#include "lab/structures/shared_counts.h"
+#include "lab/structures/test_counts.h"
 #include "render/acceleration/safe_ray.h"
 
 namespace carom::render {

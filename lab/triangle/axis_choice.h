@@ -9,30 +9,37 @@
 
 namespace carom::render::triangle {
 
+/// The coordinates of x along an axis w and along the two that follow it. Choice::index(axis, k):
+/// the index of the k-th axis from w on.
+template <class Choice>
+struct CoordinatesBy {
+    template <class Vector, class Axis>
+    [[gnu::always_inline]] static const auto& along(const Vector& x, const Axis& axis) {
+        return (&x.x)[Choice::index(axis, 0)];
+    }
+    template <class Vector, class Axis>
+    [[gnu::always_inline]] static const auto& after(const Vector& x, const Axis& axis) {
+        return (&x.x)[Choice::index(axis, 1)];
+    }
+    template <class Vector, class Axis>
+    [[gnu::always_inline]] static const auto& before(const Vector& x, const Axis& axis) {
+        return (&x.x)[Choice::index(axis, 2)];
+    }
+};
+
 /// All three indices are in the record, because tests wait for them.
-struct StoredAxes {
+struct StoredAxes : CoordinatesBy<StoredAxes> {
     struct Axis {
         std::uint32_t w, u, v;
     };
-    static constexpr Axis kOrders[3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
-
-    [[nodiscard]] static constexpr Axis axis(unsigned w) { return kOrders[w]; }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& along(const Vector& x, const Axis& axis) {
-        return (&x.x)[axis.w];
-    }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& after(const Vector& x, const Axis& axis) {
-        return (&x.x)[axis.u];
-    }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& before(const Vector& x, const Axis& axis) {
-        return (&x.x)[axis.v];
+    [[nodiscard]] static constexpr Axis axis(unsigned w) { return {w, (w + 1) % 3, (w + 2) % 3}; }
+    [[gnu::always_inline]] static std::uint32_t index(const Axis& axis, unsigned k) {
+        return k == 0 ? axis.w : (k == 1 ? axis.u : axis.v);
     }
 };
 
 /// The record has w; a table has the axes that follow.
-struct AxisFromTable {
+struct AxisFromTable : CoordinatesBy<AxisFromTable> {
     struct Axis {
         std::uint32_t w;
     };
@@ -40,37 +47,19 @@ struct AxisFromTable {
     static constexpr std::uint32_t kBefore[3] = {2, 0, 1};
 
     [[nodiscard]] static constexpr Axis axis(unsigned w) { return {w}; }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& along(const Vector& x, const Axis& axis) {
-        return (&x.x)[axis.w];
-    }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& after(const Vector& x, const Axis& axis) {
-        return (&x.x)[kAfter[axis.w]];
-    }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& before(const Vector& x, const Axis& axis) {
-        return (&x.x)[kBefore[axis.w]];
+    [[gnu::always_inline]] static std::uint32_t index(const Axis& axis, unsigned k) {
+        return k == 0 ? axis.w : (k == 1 ? kAfter : kBefore)[axis.w];
     }
 };
 
 /// The axis is known when the code is compiled.
 template <unsigned kW>
-struct FixedAxis {
+struct FixedAxis : CoordinatesBy<FixedAxis<kW>> {
     struct Axis {};
 
     [[nodiscard]] static constexpr Axis axis(unsigned) { return {}; }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& along(const Vector& x, const Axis&) {
-        return (&x.x)[kW];
-    }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& after(const Vector& x, const Axis&) {
-        return (&x.x)[(kW + 1) % 3];
-    }
-    template <class Vector>
-    [[gnu::always_inline]] static const auto& before(const Vector& x, const Axis&) {
-        return (&x.x)[(kW + 2) % 3];
+    [[gnu::always_inline]] static std::uint32_t index(const Axis& /*axis*/, unsigned k) {
+        return (kW + k) % 3;
     }
 };
 

@@ -9,15 +9,14 @@
 
 namespace carom::render::triangle {
 
-/// Make: a class template with a static function make(set). Returns an empty pointer unless kIsOne
-/// is true for the variant.
-template <template <Variant> class Make, bool (*kIsOne)(const Variant&)>
+/// Run<kVariant> takes a set. Returns an empty pointer unless kIsOne is true for the variant.
+template <template <Variant> class Run, bool (*kIsOne)(const Variant&)>
 std::unique_ptr<KernelRun> make_variant(const Variant& variant, const TestSet& set) {
     std::unique_ptr<KernelRun> run;
     constexpr auto kVariants = kVariantsWith<kIsOne>;
     [&]<std::size_t... kIndices>(std::index_sequence<kIndices...>) {
         (void)((variant == kVariants[kIndices] &&
-                (run = Make<kVariants[kIndices]>::make(set), true)) ||
+                (run = std::make_unique<Run<kVariants[kIndices]>>(set), true)) ||
                ...);
     }
     (std::make_index_sequence<kVariants.size()>());

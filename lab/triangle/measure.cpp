@@ -150,9 +150,8 @@ class TimedSets {
         rates.random.push_back(rate_of(library, variant, set_for(variant.technique, random_)));
         rates.worst.push_back(rate_of(library, variant, set_for(variant.technique, worst_)));
         if (has_streamed_ && has_layouts(variant)) {
-            const bool is_of_rays =
-                variant.packing == Packing::four_rays || variant.packing == Packing::eight_rays;
-            rates.streamed.push_back(rate_of(library, variant, is_of_rays ? rays_ : triangles_));
+            const TestSet& streamed = is_several_rays(variant.packing) ? rays_ : triangles_;
+            rates.streamed.push_back(rate_of(library, variant, streamed));
         }
     }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <tuple>
+#include <utility>
 
 #include <hwy/aligned_allocator.h>
 
@@ -36,5 +38,12 @@ class NumberTable {
     std::size_t count_;
     hwy::AlignedFreeUniquePtr<T[]> numbers_;
 };
+
+/// Stores the numbers of one item.
+template <class Numbers, class Table, std::size_t... kIndices>
+void store_numbers(Numbers numbers, const Table& table, std::size_t item,
+                   std::index_sequence<kIndices...> /*indices*/) {
+    ((*table.place(item, kIndices) = std::get<kIndices>(numbers)), ...);
+}
 
 }  // namespace carom::render::triangle

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "lab/triangle/make_variant.h"
+#include "lab/triangle/kernel_run.h"
 #include "lab/triangle/number_loads-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,7 +37,7 @@ class RaysRun final : public KernelRun {
     static constexpr Form kForm = kVariant.form;
     static constexpr Technique kTechnique = kVariant.technique;
     static constexpr int kCount = kVariant.packing == Packing::four_rays ? 4 : 8;
-    using T = std::conditional_t<kVariant.precision == Precision::single_precision, float, double>;
+    using T = NumberOf<kVariant.precision>;
     using Kernel = KernelOf<kForm.kernel>;
     using D = hn::CappedTag<T, kCount>;
     using L = LanesOf<kTechnique, RaysInLanes<D>>;
@@ -197,13 +197,6 @@ class RaysRun final : public KernelRun {
     NumberTable<T, 6, kCount, kTechnique> rays_;
     std::vector<Triangle> triangles_;
     std::vector<T> t_, u_, v_, triangle_;
-};
-
-template <Variant kVariant>
-struct MakeRaysRun {
-    static std::unique_ptr<KernelRun> make(const TestSet& set) {
-        return std::make_unique<RaysRun<kVariant>>(set);
-    }
 };
 
 }  // namespace carom::render::triangle::HWY_NAMESPACE

@@ -11,18 +11,12 @@ constexpr bool is_single(const Variant& variant) {
 }
 
 template <Variant kVariant>
-struct MakeSingleRun {
-    static std::unique_ptr<KernelRun> make(const TestSet& set) {
-        using T =
-            std::conditional_t<kVariant.precision == Precision::single_precision, float, double>;
-        return std::make_unique<SingleRun<kVariant, T>>(set);
-    }
-};
+using SingleRunOf = SingleRun<kVariant, NumberOf<kVariant.precision>>;
 
 }  // namespace
 
 std::unique_ptr<KernelRun> make_single_run(const Variant& variant, const TestSet& set) {
-    return make_variant<MakeSingleRun, is_single>(variant, set);
+    return make_variant<SingleRunOf, is_single>(variant, set);
 }
 
 std::vector<NearestHit> reference_hits(Precision precision, const TestSet& set) {

@@ -8,19 +8,12 @@
 #endif
 
 #include <bit>
-#include <vector>
 
-#include "lab/triangle/make_variant.h"
 #include "lab/triangle/number_loads-inl.h"
+#include "lab/triangle/one_by_one.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::triangle::HWY_NAMESPACE {
-
-template <class Numbers, class Table, std::size_t... kIndices>
-void store_numbers(Numbers numbers, Table& table, std::size_t item,
-                   std::index_sequence<kIndices...>) {
-    ((*table.place(item, kIndices) = std::get<kIndices>(numbers)), ...);
-}
 
 template <class D, class Numbers, class Table, std::size_t... kIndices>
 HWY_INLINE void load_numbers(Numbers numbers, const Table& table, std::size_t item,
@@ -29,11 +22,14 @@ HWY_INLINE void load_numbers(Numbers numbers, const Table& table, std::size_t it
 }
 
 template <Variant kVariant>
-class TrianglesRun final : public KernelRun {
+class TrianglesRun final
+    : public OneByOne<TrianglesRun<kVariant>, kVariant, NumberOf<kVariant.precision>> {
+    using T = NumberOf<kVariant.precision>;
+    using Base = OneByOne<TrianglesRun, kVariant, T>;
+    using Best = typename Base::Best;
     static constexpr Form kForm = kVariant.form;
     static constexpr Technique kTechnique = kVariant.technique;
     static constexpr int kCount = kVariant.packing == Packing::four_triangles ? 4 : 8;
-    using T = std::conditional_t<kVariant.precision == Precision::single_precision, float, double>;
     using Kernel = KernelOf<kForm.kernel>;
     using D = hn::CappedTag<T, kCount>;
     using L = LanesOf<kTechnique, TrianglesInLanes<D>>;
@@ -48,11 +44,9 @@ class TrianglesRun final : public KernelRun {
 
   public:
     explicit TrianglesRun(const TestSet& set)
-        : rays_in_group_(set.rays_in_group),
-          triangles_in_group_(set.triangles_in_group),
+        : Base(set),
           rays_(table_of_rays<T, 1, Technique::structures>(set)),
-          triangles_(set.triangles.size()),
-          hits_(set.origins.size()) {
+          triangles_(set.triangles.size()) {
         for (std::size_t i = 0; i < set.triangles.size(); ++i) {
             const Single triangle = make_input<Kernel, kForm.input, One>(set.triangles[i]);
             store_numbers(Single::numbers(triangle), triangles_, i, Indices());
@@ -62,32 +56,7 @@ class TrianglesRun final : public KernelRun {
         }
     }
 
-    void run() override {
-        for (std::size_t ray = 0; ray < hits_.size(); ++ray) {
-            const std::size_t group = ray / static_cast<unsigned>(rays_in_group_);
-            hits_[ray] = nearest(ray, group * static_cast<unsigned>(triangles_in_group_));
-        }
-    }
-
-    [[nodiscard]] Packing packing() const override { return kVariant.packing; }
-
-    [[nodiscard]] std::vector<NearestHit> hits() const override {
-        std::vector<NearestHit> hits;
-        for (const Best& best : hits_) {
-            hits.push_back({static_cast<double>(best.t), static_cast<double>(best.u),
-                            static_cast<double>(best.v), best.triangle});
-        }
-        return hits;
-    }
-
-  private:
-    struct Best {
-        T t = T(kInfinity);
-        T u = 0, v = 0;
-        std::int32_t triangle = -1;
-    };
-
-    Best nearest(std::size_t ray_index, std::size_t first_triangle) const {
+    [[nodiscard]] Best nearest(std::size_t ray_index, std::size_t first_triangle) const {
         const D d;
         RayIn<L> ray;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -97,7 +66,7 @@ class TrianglesRun final : public KernelRun {
         ray.t_min = hn::Zero(d);
         ray.t_max = hn::Set(d, T(kInfinity));
         Best best;
-        for (int i = 0; i < triangles_in_group_; i += kLanes) {
+        for (int i = 0; i < this->triangles_in_group(); i += kLanes) {
             const auto hit = Kernel::template intersect<kForm.division>(
                 ray, record_of<Kernel, L>(load_triangles(first_triangle + unsigned(i))));
             if (L::none(hit.valid)) {
@@ -113,6 +82,7 @@ class TrianglesRun final : public KernelRun {
         return best;
     }
 
+  private:
     HWY_INLINE Several load_triangles(std::size_t item) const {
         Several triangles;
         load_numbers<D>(Several::numbers(triangles), triangles_, item, Indices());
@@ -140,18 +110,8 @@ class TrianglesRun final : public KernelRun {
         }
     }
 
-    int rays_in_group_;
-    int triangles_in_group_;
     NumberTable<T, 6, 1, Technique::structures> rays_;
     Table triangles_;
-    std::vector<Best> hits_;
-};
-
-template <Variant kVariant>
-struct MakeTrianglesRun {
-    static std::unique_ptr<KernelRun> make(const TestSet& set) {
-        return std::make_unique<TrianglesRun<kVariant>>(set);
-    }
 };
 
 }  // namespace carom::render::triangle::HWY_NAMESPACE

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "lab/triangle/variants.h"
 
 namespace carom::render::triangle {
@@ -20,89 +22,48 @@ std::span<const Form> all_forms() {
     return kForms;
 }
 
-std::string_view title(KernelName kernel) {
-    return facts(kernel).title;
+namespace {
+
+template <class Enum, std::size_t kCount>
+const Named<Enum>& named(const std::array<Named<Enum>, kCount>& names, Enum value) {
+    return *std::ranges::find(names, value, &Named<Enum>::value);
 }
+
+}  // namespace
 
 std::string_view name(KernelName kernel) {
     return facts(kernel).name;
 }
-
 std::string_view name(Input input) {
-    switch (input) {
-        case Input::corners:
-            return "corners";
-        case Input::corners_and_normal:
-            return "corners_and_normal";
-        case Input::record:
-            return "record";
-    }
-    return {};
+    return named(kInputNames, input).name;
 }
-
 std::string_view name(Division division) {
-    return division == Division::early ? "early" : "deferred";
+    return named(kDivisionNames, division).name;
 }
-
 std::string_view name(Packing packing) {
-    switch (packing) {
-        case Packing::single:
-            return "single";
-        case Packing::four_rays:
-            return "four_rays";
-        case Packing::eight_rays:
-            return "eight_rays";
-        case Packing::four_triangles:
-            return "four_triangles";
-        case Packing::eight_triangles:
-            return "eight_triangles";
-    }
-    return {};
+    return named(kPackingNames, packing).name;
 }
-
 std::string_view name(Precision precision) {
-    return precision == Precision::single_precision ? "float" : "double";
+    return named(kPrecisionNames, precision).name;
 }
-
 std::string_view name(Technique technique) {
-    switch (technique) {
-        case Technique::plain:
-            return "plain";
-        case Technique::arrays:
-            return "arrays";
-        case Technique::structures:
-            return "structures";
-        case Technique::newton:
-            return "newton";
-        case Technique::sign_bits:
-            return "sign_bits";
-        case Technique::axis_from_table:
-            return "axis_from_table";
-        case Technique::axis_by_versions:
-            return "axis_by_versions";
-        case Technique::axis_by_order:
-            return "axis_by_order";
-        case Technique::axis_fixed:
-            return "axis_fixed";
-        case Technique::any_hit:
-            return "any_hit";
-        case Technique::common_origin:
-            return "common_origin";
-        case Technique::parallel_rays:
-            return "parallel_rays";
-    }
-    return {};
+    return named(kTechniqueNames, technique).name;
 }
 
-std::optional<KernelName> find_kernel(std::string_view name) {
-    const auto found = std::ranges::find(kKernels, name, &KernelFacts::name);
-    return found == kKernels.end() ? std::nullopt : std::optional(found->kernel);
+std::string_view title(KernelName kernel) {
+    return facts(kernel).title;
 }
-
-std::optional<Technique> find_technique(std::string_view text) {
-    const auto found =
-        std::ranges::find(kTechniques, text, [](Technique technique) { return name(technique); });
-    return found == kTechniques.end() ? std::nullopt : std::optional(*found);
+std::string_view title(Input input) {
+    return named(kInputNames, input).title;
+}
+std::string_view title(Packing packing) {
+    return named(kPackingNames, packing).title;
+}
+std::string_view title(Technique technique) {
+    return named(kTechniqueNames, technique).title;
+}
+std::string title(const Form& form) {
+    return fmt::format("{}, {}, {}", title(form.kernel), title(form.input), name(form.division));
 }
 
 }  // namespace carom::render::triangle

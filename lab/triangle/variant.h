@@ -1,14 +1,31 @@
 // The kernels by name, and the variants in which each can run.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "render/triangle/division.h"
 
 namespace carom::render::triangle {
+
+/// A member of an enumeration with its name in options and data, and its title for display.
+template <class Enum>
+struct Named {
+    Enum value;
+    std::string_view name, title;
+};
+
+/// The members, in the order of their names.
+template <class Enum, std::size_t kCount>
+[[nodiscard]] constexpr std::array<Enum, kCount> values_of(
+    const std::array<Named<Enum>, kCount>& names) {
+    std::array<Enum, kCount> values{};
+    std::ranges::transform(names, values.begin(), &Named<Enum>::value);
+    return values;
+}
 
 enum class KernelName {
     moller_trumbore,
@@ -27,18 +44,33 @@ enum class KernelName {
 /// The input of a test: the corners, the corners with a normal that exists for other reasons, or a
 /// record prepared when the scene is set up.
 enum class Input { corners, corners_and_normal, record };
-inline constexpr std::array kInputs = {Input::corners, Input::corners_and_normal, Input::record};
+inline constexpr std::array<Named<Input>, 3> kInputNames{
+    {{Input::corners, "corners", "corners"},
+     {Input::corners_and_normal, "corners_and_normal", "with normal"},
+     {Input::record, "record", "record"}}};
+inline constexpr auto kInputs = values_of(kInputNames);
 
-inline constexpr std::array kDivisions = {Division::early, Division::deferred};
+inline constexpr std::array<Named<Division>, 2> kDivisionNames{
+    {{Division::early, "early", "early"}, {Division::deferred, "deferred", "deferred"}}};
+inline constexpr auto kDivisions = values_of(kDivisionNames);
 
 /// The number of tests at a time.
 enum class Packing { single, four_rays, eight_rays, four_triangles, eight_triangles };
-inline constexpr std::array kPackings = {Packing::single, Packing::four_rays, Packing::eight_rays,
-                                         Packing::four_triangles, Packing::eight_triangles};
+inline constexpr std::array<Named<Packing>, 5> kPackingNames{
+    {{Packing::single, "single", "one"},
+     {Packing::four_rays, "four_rays", "4 rays"},
+     {Packing::eight_rays, "eight_rays", "8 rays"},
+     {Packing::four_triangles, "four_triangles", "4 triangles"},
+     {Packing::eight_triangles, "eight_triangles", "8 triangles"}}};
+inline constexpr auto kPackings = values_of(kPackingNames);
 
 enum class Precision { single_precision, double_precision };
-inline constexpr std::array kPrecisions = {Precision::single_precision,
-                                           Precision::double_precision};
+inline constexpr std::array<Named<Precision>, 2> kPrecisionNames{
+    {{Precision::single_precision, "float", "float"},
+     {Precision::double_precision, "double", "double"}}};
+inline constexpr auto kPrecisions = values_of(kPrecisionNames);
+template <Precision kPrecision>
+using NumberOf = std::conditional_t<kPrecision == Precision::single_precision, float, double>;
 
 /// How a variant differs from the plain one. Plain are: rays and triangles in memory by groups of
 /// as many as are tested at once, number by number (one by one: each triangle's numbers together);
@@ -58,18 +90,20 @@ enum class Technique {
     common_origin,     // rays of a group begin at one point: see shares_rays()
     parallel_rays      // rays of a group have one direction
 };
-inline constexpr std::array kTechniques = {Technique::plain,
-                                           Technique::arrays,
-                                           Technique::structures,
-                                           Technique::newton,
-                                           Technique::sign_bits,
-                                           Technique::axis_from_table,
-                                           Technique::axis_by_versions,
-                                           Technique::axis_by_order,
-                                           Technique::axis_fixed,
-                                           Technique::any_hit,
-                                           Technique::common_origin,
-                                           Technique::parallel_rays};
+inline constexpr std::array<Named<Technique>, 12> kTechniqueNames{
+    {{Technique::plain, "plain", "plain"},
+     {Technique::arrays, "arrays", "structure of arrays"},
+     {Technique::structures, "structures", "array of structures"},
+     {Technique::newton, "newton", "estimated reciprocal and a Newton step"},
+     {Technique::sign_bits, "sign_bits", "tests of sign bits"},
+     {Technique::axis_from_table, "axis_from_table", "following axes from a table"},
+     {Technique::axis_by_versions, "axis_by_versions", "a version of the code for each axis"},
+     {Technique::axis_by_order, "axis_by_order", "coordinates in the order of the axis"},
+     {Technique::axis_fixed, "axis_fixed", "the same axis for all triangles"},
+     {Technique::any_hit, "any_hit", "whether anything is hit"},
+     {Technique::common_origin, "common_origin", "rays from one point"},
+     {Technique::parallel_rays, "parallel_rays", "parallel rays"}}};
+inline constexpr auto kTechniques = values_of(kTechniqueNames);
 
 /// Whether the rays of a group have something in common. They are tested triangle by triangle, so
 /// that what depends on nothing else is computed once for each triangle.
@@ -96,9 +130,8 @@ struct Variant {
     friend bool operator==(const Variant&, const Variant&) = default;
 };
 
-/// For display: "Möller–Trumbore". For options and data: "moller_trumbore", "corners", "deferred",
-/// "eight_rays", "float", "axis_fixed".
-[[nodiscard]] std::string_view title(KernelName kernel);
+/// For options and data: "moller_trumbore", "corners", "deferred", "eight_rays", "float",
+/// "axis_fixed".
 [[nodiscard]] std::string_view name(KernelName kernel);
 [[nodiscard]] std::string_view name(Input input);
 [[nodiscard]] std::string_view name(Division division);
@@ -106,8 +139,12 @@ struct Variant {
 [[nodiscard]] std::string_view name(Precision precision);
 [[nodiscard]] std::string_view name(Technique technique);
 
-/// Empty if the name is unknown.
-[[nodiscard]] std::optional<KernelName> find_kernel(std::string_view name);
-[[nodiscard]] std::optional<Technique> find_technique(std::string_view name);
+/// For display: "Möller–Trumbore", "with normal", "8 triangles", "structure of arrays".
+[[nodiscard]] std::string_view title(KernelName kernel);
+[[nodiscard]] std::string_view title(Input input);
+[[nodiscard]] std::string_view title(Packing packing);
+[[nodiscard]] std::string_view title(Technique technique);
+/// "Wald, record, early"
+[[nodiscard]] std::string title(const Form& form);
 
 }  // namespace carom::render::triangle

@@ -70,6 +70,10 @@ static_assert([] {
                                               : Input::corners;
 }
 
+[[nodiscard]] constexpr bool is_several_rays(Packing packing) {
+    return packing == Packing::four_rays || packing == Packing::eight_rays;
+}
+
 [[nodiscard]] constexpr bool is_several_triangles(Packing packing) {
     return packing == Packing::four_triangles || packing == Packing::eight_triangles;
 }
@@ -109,8 +113,7 @@ static_assert([] {
             return is_early;
         case Technique::common_origin:
         case Technique::parallel_rays:
-            return is_early && variant.packing != Packing::single &&
-                   !is_several_triangles(variant.packing);
+            return is_early && is_several_rays(variant.packing);
     }
     return false;
 }

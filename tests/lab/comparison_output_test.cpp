@@ -2,9 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lab/comparison/comparison_plot.h"
-#include "lab/comparison/comparison_text.h"
-#include "lab/comparison/log_axis.h"
+#include "lab/comparison/chart.h"
+#include "lab/comparison/reports.h"
 #include "lab/comparison/text_table.h"
 
 namespace carom::pipeline {
@@ -47,7 +46,7 @@ Comparison two_rows() {
 }
 
 TEST(ComparisonText, HasCostsAndTestsPerRay) {
-    EXPECT_EQ(comparison_text(two_rows()),
+    EXPECT_EQ(report_text(two_rows()),
               R"(cube: nothing much
 16x8, 50 shapes, 160 rays: 100 primary, 60 shadow
 
@@ -69,12 +68,12 @@ kdtree                 1.06    0.800    1.50        12.5     17.0    5.00       
 TEST(ComparisonText, Interrupted_SaysSo) {
     Comparison comparison = two_rows();
     comparison.is_whole = false;
-    EXPECT_THAT(comparison_text(comparison),
+    EXPECT_THAT(report_text(comparison),
                 HasSubstr("\ninterrupted: the other structures are missing\n"));
 }
 
 TEST(ComparisonPlot, HasABarForEveryKindAndStructure) {
-    const std::string svg = comparison_plot_svg(two_rows());
+    const std::string svg = report_plot(two_rows(), PlanPage::automatic);
     for (const char* text : {"brute_force", "kdtree", "embree", "primary rays", "shadow rays",
                              "object tests per ray", "box tests per ray", ">1.50<", ">17.0<"}) {
         EXPECT_THAT(svg, HasSubstr(text));
@@ -108,18 +107,37 @@ TEST(TextTable, NumbersAreShort) {
     EXPECT_EQ(large_number(67'086'000'000.0), "67086M");
 }
 
-TEST(LogAxis, EndsAtPowersOfTen) {
-    LogAxis axis(10, 40);
+TEST(ChartAxis, Logarithmic_EndsAtPowersOfTen) {
+    ChartAxis axis(true, 10, 40);
     for (const double value : {0.0, 0.02, 7.0}) {
         axis.add(value);
     }
-    EXPECT_EQ(axis.lowest(), -2);
-    EXPECT_EQ(axis.highest(), 1);
+    EXPECT_DOUBLE_EQ(axis.at(0.01), 10);
     EXPECT_DOUBLE_EQ(axis.at(0.1), 20);
+    EXPECT_DOUBLE_EQ(axis.at(10), 40);
+    ASSERT_EQ(axis.ticks().size(), 4u);
+    EXPECT_EQ(axis.ticks()[1].text, "0.1");
+    EXPECT_DOUBLE_EQ(axis.ticks()[1].at, 20);
+    // Half as long, it has room for every other number.
+    ChartAxis shorter(true, 25, 10);
+    shorter.add(0.02);
+    shorter.add(7);
+    EXPECT_EQ(shorter.ticks().size(), 2u);
     EXPECT_EQ(power_text(-2), "0.01");
     EXPECT_EQ(power_text(0), "1");
     EXPECT_EQ(power_text(4), "10k");
     EXPECT_EQ(power_text(8), "100M");
+}
+
+TEST(ChartAxis, Linear_EndsAtARoundNumber) {
+    ChartAxis axis(false, 0, 84);
+    axis.add(0.7);
+    const std::vector<ChartAxis::Tick> ticks = axis.ticks();
+    ASSERT_EQ(ticks.size(), 8u);
+    EXPECT_EQ(ticks.front().text, "0");
+    EXPECT_DOUBLE_EQ(ticks.front().at, 0);
+    EXPECT_EQ(ticks.back().text, "0.7");
+    EXPECT_DOUBLE_EQ(ticks.back().at, 84);
 }
 
 }  // namespace

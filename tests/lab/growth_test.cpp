@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lab/comparison/chart.h"
 #include "lab/comparison/growth_rays.h"
-#include "lab/comparison/growth_text.h"
 #include "lab/comparison/lane_limit.h"
-#include "lab/comparison/line_chart.h"
+#include "lab/comparison/reports.h"
 #include "render/acceleration/batch_kernels.h"
 #include "render/frame_scene/frame_scene.h"
 #include "render/frame_scene/static_geometry.h"
@@ -135,7 +135,7 @@ TEST(Growth, Stopped_KeepsThePointsThatAreThere) {
     const Growth growth = measure_growth(options, progress, stop.get_token());
     EXPECT_FALSE(growth.is_whole);
     EXPECT_EQ(growth.points.size(), 5u);  // of 22; those before a fraction of 5 / 22
-    EXPECT_THAT(growth_text(growth), HasSubstr("\ninterrupted: the rest is missing\n"));
+    EXPECT_THAT(report_text(growth), HasSubstr("\ninterrupted: the rest is missing\n"));
 }
 
 /// Two structures, two sizes, round numbers.
@@ -164,7 +164,7 @@ Growth made_up() {
 }
 
 TEST(GrowthText, HasAColumnForEachStructure) {
-    EXPECT_EQ(growth_text(made_up()), R"(growth: spheres in a cube
+    EXPECT_EQ(report_text(made_up()), R"(growth: spheres in a cube
 
 object tests per ray  brute_force
 10                           10.0
@@ -205,7 +205,7 @@ memory MB  brute_force  embree
 }
 
 TEST(GrowthPlot, HasALineForEachStructure) {
-    const std::string svg = growth_plot_svg(made_up());
+    const std::string svg = report_plot(made_up(), PlanPage::automatic);
     for (const char* text : {"Growth with the number of spheres", "<title>brute_force</title>",
                              "<title>embree</title>", "ns per ray", ">10k<"}) {
         EXPECT_THAT(svg, HasSubstr(text));
@@ -213,12 +213,14 @@ TEST(GrowthPlot, HasALineForEachStructure) {
 }
 
 TEST(LineChart, LongLegend_MovesThePanelsDown) {
-    LineChart chart;
-    chart.names = {"a", "b"};
-    chart.panels = {{"panel", true, {{"a", {{1, 1}, {10, 2}}}}}};
-    EXPECT_THAT(line_chart_svg(chart, PlanPage::automatic), HasSubstr("translate(0 0)"));
-    chart.names.insert(chart.names.end(), 40, "a structure with many intervals");
-    EXPECT_THAT(line_chart_svg(chart, PlanPage::automatic),
+    Chart chart{"", "", {"a", "b"}, {{"panel", true, {{1, 0}, {2, 0}}}}};
+    EXPECT_THAT(line_chart_svg(chart, {1, 10}, "", PlanPage::automatic),
+                HasSubstr("translate(0 0)"));
+    chart.series.insert(chart.series.end(), 40, "a structure with many intervals");
+    for (std::vector<double>& values : chart.panels[0].values) {
+        values.resize(chart.series.size());
+    }
+    EXPECT_THAT(line_chart_svg(chart, {1, 10}, "", PlanPage::automatic),
                 ::testing::Not(HasSubstr("translate(0 0)")));
 }
 

@@ -6,9 +6,8 @@
 
 #include "core/error.h"
 #include "lab/comparison/kernel_names.h"
-#include "lab/comparison/kernel_plot.h"
 #include "lab/comparison/kernel_ratios.h"
-#include "lab/comparison/kernel_text.h"
+#include "lab/comparison/reports.h"
 
 namespace carom::pipeline {
 namespace {
@@ -48,7 +47,7 @@ KernelMeasurements two_kernels() {
 }
 
 TEST(KernelText, WholeOutput) {
-    EXPECT_EQ(kernels_text(two_kernels()),
+    EXPECT_EQ(report_text(two_kernels()),
               R"(Millions of tests per second of CPU time, the best of 2 rounds, g++ 12.2.0
 
 random rays, float                      one  4 rays  8 rays  4 triangles  8 triangles
@@ -106,7 +105,7 @@ TEST(KernelText, Interrupted_MissingRatesAreDashes) {
     KernelMeasurements measured = two_kernels();
     measured.is_whole = false;
     measured.rates.resize(3);
-    const std::string text = kernels_text(measured);
+    const std::string text = report_text(measured);
     EXPECT_THAT(
         text, HasSubstr("\nWald, record, early  100     200     300            -            -\n"));
     EXPECT_EQ(text.find("rays, double"), std::string::npos);
@@ -129,7 +128,7 @@ TEST(KernelText, Techniques_RelativeToThePlainVariant) {
             measured.rates.push_back(rates);
         }
     }
-    const std::string text = kernels_text(measured);
+    const std::string text = report_text(measured);
     EXPECT_THAT(
         text,
         HasSubstr(
@@ -139,7 +138,7 @@ TEST(KernelText, Techniques_RelativeToThePlainVariant) {
     EXPECT_EQ(text.find("structure of arrays"), std::string::npos);
     EXPECT_EQ(techniques_against_plain(measured).size(), 2u * 4);
     // The other tables are as before.
-    EXPECT_THAT(text, ::testing::StartsWith(kernels_text(two_kernels())));
+    EXPECT_THAT(text, ::testing::StartsWith(report_text(two_kernels())));
 }
 
 TEST(KernelText, SecondCompiler_RelativeToTheFirst) {
@@ -152,16 +151,16 @@ TEST(KernelText, SecondCompiler_RelativeToTheFirst) {
         rates.random = {2 * rates.random[0], 2 * rates.random[1]};
         measured.rates.push_back(rates);
     }
-    const std::string text = kernels_text(measured);
+    const std::string text = report_text(measured);
     EXPECT_THAT(text, HasSubstr("\nclang++ 14.0.6 relative to g++ 12.2.0: random rays / every ray "
                                 "hits\n\nfloat, times as fast"));
     EXPECT_THAT(text, HasSubstr("\nWald, record, early                     2.00 / 1.00  "));
     EXPECT_THAT(text, HasSubstr("\ndouble, times as fast"));
-    EXPECT_THAT(text, ::testing::StartsWith(kernels_text(two_kernels())));
+    EXPECT_THAT(text, ::testing::StartsWith(report_text(two_kernels())));
 }
 
 TEST(KernelPlot, HasABarForEveryPacking) {
-    const std::string svg = kernels_plot_svg(two_kernels());
+    const std::string svg = report_plot(two_kernels(), PlanPage::automatic);
     for (const char* text : {"Wald, record", "perpendicular planes, record", "8 triangles",
                              "random rays, float", "every ray hits, double", ">600<", ">25.0<"}) {
         EXPECT_THAT(svg, HasSubstr(text));

@@ -398,18 +398,19 @@ TEST(Sets, Random_HasHitsAndMisses) {
     EXPECT_LT(hit_count, 900);
 }
 
-TEST(Names, KernelsAndTechniques_FoundByTheirOwnNames) {
+TEST(Names, KernelsAndTechniques_HaveTheirOwn) {
     std::set<KernelName> kernels;
+    std::set<std::string_view> names;
     for (const Form& form : all_forms()) {
         kernels.insert(form.kernel);
-        EXPECT_EQ(find_kernel(name(form.kernel)), form.kernel);
+        names.insert(name(form.kernel));
     }
     EXPECT_EQ(kernels.size(), static_cast<std::size_t>(kKernelCount));
-    EXPECT_EQ(find_kernel("moller"), std::nullopt);
+    EXPECT_EQ(names.size(), kernels.size());
     for (const Technique technique : kTechniques) {
-        EXPECT_EQ(find_technique(name(technique)), technique);
+        names.insert(name(technique));
     }
-    EXPECT_EQ(find_technique("axis"), std::nullopt);
+    EXPECT_EQ(names.size(), kernels.size() + kTechniques.size());
 }
 
 TEST(Variants, WithoutTheInput_NoRun) {

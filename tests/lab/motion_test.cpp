@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lab/comparison/growth_rays.h"
-#include "lab/comparison/motion_text.h"
+#include "lab/comparison/reports.h"
 
 namespace carom::pipeline {
 namespace {
@@ -42,7 +42,7 @@ TEST(Motion, PartsOfTheShutter_GiveTheSameHitsInFewerTests) {
         EXPECT_GT(bvh->hits, 0.2);
         for (const MotionPoint& point : motion.points) {
             if (point.shutter == shutter) {  // rounding decides at silhouettes
-                EXPECT_NEAR(point.hits, bvh->hits, 2e-4) << point.name() << " " << shutter;
+                EXPECT_NEAR(point.hits, bvh->hits, 2e-4) << point.full_name() << " " << shutter;
                 EXPECT_GT(point.seconds_per_ray, 0);
                 EXPECT_GT(point.build_seconds, 0);
                 EXPECT_GT(point.bytes, 0u);
@@ -68,7 +68,7 @@ TEST(Motion, Stopped_KeepsThePointsThatAreThere) {
     const Motion motion = measure_motion(small_options(), progress, stop.get_token());
     EXPECT_FALSE(motion.is_whole);
     EXPECT_EQ(motion.points.size(), 4u);  // those before a fraction of 4 / 18
-    EXPECT_THAT(motion_text(motion), HasSubstr("\ninterrupted: the rest is missing\n"));
+    EXPECT_THAT(report_text(motion), HasSubstr("\ninterrupted: the rest is missing\n"));
 }
 
 TEST(RestlessBalls, EveryOtherOne_MovesForASecondWithImpacts) {
@@ -98,7 +98,7 @@ Motion made_up() {
     motion.shutters = {0, 0.25};
     motion.is_whole = true;
     MotionPoint point;
-    point.structure = "bvh";
+    point.name = "bvh";
     point.seconds_per_ray = 2e-7;
     point.build_seconds = 0.001;
     point.bytes = 5000;
@@ -128,7 +128,7 @@ TEST(Motion, BreakEven_IsWhereTheTimeSavedPaysForTheBuilding) {
 
 TEST(MotionText, HasAColumnForEachNumberOfIntervals) {
     EXPECT_EQ(
-        motion_text(made_up()),
+        report_text(made_up()),
         R"(motion: 10 balls, half of which move, at up to 2 m/s, with an impact about every 0.1 s; the first column: how long the shutter is open, s
 
 object tests per ray   bvh  bvh, 4 intervals
@@ -162,7 +162,7 @@ memory kB   bvh  bvh, 4 intervals
 }
 
 TEST(MotionPlot, LeavesOutTheClosedShutter) {
-    const std::string svg = motion_plot_svg(made_up());
+    const std::string svg = report_plot(made_up(), PlanPage::automatic);
     for (const char* text :
          {"10 balls, half of which move", "<title>bvh, 4 intervals</title>", "ns per ray"}) {
         EXPECT_THAT(svg, HasSubstr(text));

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "lab/comparison/size_text.h"
+#include "lab/comparison/reports.h"
 #include "tests/lab/small_scene.h"
 
 namespace carom::pipeline {
@@ -71,7 +71,7 @@ TEST(SizeCurve, Stopped_KeepsWhatWasMeasured) {
                       options_of("rtree,rtree_cyclic"), progress, stop.get_token());
     EXPECT_FALSE(curve.is_whole);
     EXPECT_EQ(curve.comparisons.size(), 2u);
-    EXPECT_THAT(size_text(curve), HasSubstr("\ninterrupted: the rest is missing\n"));
+    EXPECT_THAT(report_text(curve), HasSubstr("\ninterrupted: the rest is missing\n"));
 }
 
 /// Two values, one structure, round numbers.
@@ -99,7 +99,7 @@ SizeCurve made_up() {
 }
 
 TEST(SizeText, HasARowForEachValue) {
-    EXPECT_EQ(size_text(made_up()),
+    EXPECT_EQ(report_text(made_up()),
               R"(cube: nothing much
 16x8, 50 shapes, 10 rays; the first column: cells per shape
 
@@ -126,7 +126,7 @@ memory kB  grid
 }
 
 TEST(SizePlot, HasALineForEachStructure) {
-    const std::string svg = size_plot_svg(made_up());
+    const std::string svg = report_plot(made_up(), PlanPage::automatic);
     for (const char* text : {"cube: cells per shape", "<title>grid</title>", "box tests per ray",
                              "CPU time of the frame, s"}) {
         EXPECT_THAT(svg, HasSubstr(text));

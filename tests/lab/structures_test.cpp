@@ -13,7 +13,7 @@
 #include "lab/structures/embree_structure.h"
 #include "lab/structures/make_structure.h"
 #include "lab/structures/primitives.h"
-#include "lab/structures/shared_counts.h"
+#include "lab/structures/test_counts.h"
 #include "lab/triangle/kernel_test.h"
 #include "lab/triangle/variants.h"
 #include "render/acceleration/hybrid_structure.h"
@@ -59,7 +59,10 @@ class CountingStructure {
     const AccelerationStructure& operator*() const { return *made_.structure; }
     [[nodiscard]] std::size_t bytes() const { return made_.bytes; }
     TestCounts counts() {
-        total_ += counts_.take();
+        const TestCounts more = counts_.take();
+        for (std::size_t kind = 0; kind < more.of.size(); ++kind) {
+            total_.of[kind] += more.of[kind];
+        }
         return total_;
     }
 

@@ -1,6 +1,7 @@
 // The order matters: these come before the kernels that use them.
 // clang-format off
 #include "render/triangle/kernels/common.h"
+#include "lab/triangle/kernels/numbers_in.h"
 #include "lab/triangle/kernels/sign_bits.h"
 #include "lab/triangle/kernels/newton.h"
 #include "lab/triangle/kernels/axis_plane.h"

@@ -2,30 +2,7 @@
 /// turn; from any other point of the plane, less. Angles near a half turn are inaccurate, because
 /// the cosine is flat there; the sum must therefore be allowed to be too small, so that points
 /// close outside an edge count as inside.
-struct AngleSum {
-    template <class L>
-    struct Record {
-        static constexpr bool kHasAxis = false;
-        Vec3<typename L::Value> a, edge_b, edge_c, normal;
-
-        template <class Self>
-        [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.a.x, self.a.y, self.a.z, self.edge_b.x, self.edge_b.y,
-                            self.edge_b.z, self.edge_c.x, self.edge_c.y, self.edge_c.z,
-                            self.normal.x, self.normal.y, self.normal.z);
-        }
-    };
-
-    template <class L>
-    CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
-        return prepare(CornersAndNormal<L>{corners, normal_of(corners)});
-    }
-    template <class L>
-    CAROM_KERNEL static Record<L> prepare(const CornersAndNormal<L>& input) {
-        const Corners<L>& corners = input.corners;
-        return {corners.a, corners.b - corners.a, corners.c - corners.a, input.normal};
-    }
-
+struct AngleSum : EdgesAndNormal {
     template <Division kDivision, class L>
     CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const PlanePoint<kDivision, L> plane(dot(triangle.normal, triangle.a - ray.origin),

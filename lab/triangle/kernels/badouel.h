@@ -15,8 +15,8 @@ struct Badouel {
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.normal.x, self.normal.y, self.normal.z, self.plane, self.a_u,
-                            self.a_v, self.edge_b_u, self.edge_b_v, self.edge_c_u, self.edge_c_v);
+            return numbers_in(self.normal, self.plane, self.a_u, self.a_v, self.edge_b_u,
+                              self.edge_b_v, self.edge_c_u, self.edge_c_v);
         }
     };
 

@@ -3,32 +3,7 @@
 /// triangles", from perpendicular products within the plane. The weights are computed from products
 /// of the edges with each other and with the point, without an axis:
 ///   u = ((b.c)(p.c) - (c.c)(p.b)) / ((b.c)^2 - (b.b)(c.c)),  v likewise with b and c exchanged.
-struct Keidy {
-    template <class L>
-    struct Record {
-        static constexpr bool kHasAxis = false;
-        Vec3<typename L::Value> a, edge_b, edge_c, normal;
-
-        template <class Self>
-        [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.a.x, self.a.y, self.a.z, self.edge_b.x, self.edge_b.y,
-                            self.edge_b.z, self.edge_c.x, self.edge_c.y, self.edge_c.z,
-                            self.normal.x, self.normal.y, self.normal.z);
-        }
-    };
-
-    template <class L>
-    CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
-        const auto edge_b = corners.b - corners.a;
-        const auto edge_c = corners.c - corners.a;
-        return {corners.a, edge_b, edge_c, cross(edge_b, edge_c)};
-    }
-    template <class L>
-    CAROM_KERNEL static Record<L> prepare(const CornersAndNormal<L>& input) {
-        const Corners<L>& corners = input.corners;
-        return {corners.a, corners.b - corners.a, corners.c - corners.a, input.normal};
-    }
-
+struct Keidy : EdgesAndNormal {
     template <Division kDivision, class L>
     CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto from_a = ray.origin - triangle.a;

@@ -11,9 +11,7 @@ struct KenslerShirley {
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.a.x, self.a.y, self.a.z, self.edge_b.x, self.edge_b.y,
-                            self.edge_b.z, self.from_c.x, self.from_c.y, self.from_c.z,
-                            self.normal.x, self.normal.y, self.normal.z);
+            return numbers_in(self.a, self.edge_b, self.from_c, self.normal);
         }
     };
 

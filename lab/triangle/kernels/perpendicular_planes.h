@@ -17,9 +17,8 @@ struct PerpendicularPlanes {
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.normal.x, self.normal.y, self.normal.z, self.plane,
-                            self.normal_b.x, self.normal_b.y, self.normal_b.z, self.b_d,
-                            self.normal_c.x, self.normal_c.y, self.normal_c.z, self.c_d);
+            return numbers_in(self.normal, self.plane, self.normal_b, self.b_d, self.normal_c,
+                              self.c_d);
         }
     };
 

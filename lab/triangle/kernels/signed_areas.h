@@ -1,30 +1,7 @@
 /// Signed areas, as in many introductions: the point p in the plane is inside if it is on the same
 /// side of all three edges, that is, if the areas of its triangles with the edges have the same
 /// sign: n.((b - a) x (p - a)), n.((c - b) x (p - b)), n.((a - c) x (p - c)).
-struct SignedAreas {
-    template <class L>
-    struct Record {
-        static constexpr bool kHasAxis = false;
-        Vec3<typename L::Value> a, edge_b, edge_c, normal;
-
-        template <class Self>
-        [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.a.x, self.a.y, self.a.z, self.edge_b.x, self.edge_b.y,
-                            self.edge_b.z, self.edge_c.x, self.edge_c.y, self.edge_c.z,
-                            self.normal.x, self.normal.y, self.normal.z);
-        }
-    };
-
-    template <class L>
-    CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
-        return prepare(CornersAndNormal<L>{corners, normal_of(corners)});
-    }
-    template <class L>
-    CAROM_KERNEL static Record<L> prepare(const CornersAndNormal<L>& input) {
-        const Corners<L>& corners = input.corners;
-        return {corners.a, corners.b - corners.a, corners.c - corners.a, input.normal};
-    }
-
+struct SignedAreas : EdgesAndNormal {
     template <Division kDivision, class L>
     CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto& normal = triangle.normal;

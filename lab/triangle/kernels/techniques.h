@@ -64,14 +64,14 @@ class TestedRay {
     [[nodiscard]] CAROM_KERNEL typename L::Value t_max() const { return ray_.t_max; }
     CAROM_KERNEL void set_t_max(typename L::Value t_max) { ray_.t_max = t_max; }
 
-  private:
+  protected:
     RayIn<L> ray_;
 };
 
 template <class L>
-class TestedRay<Technique::axis_by_versions, L> {
+class TestedRay<Technique::axis_by_versions, L> : public TestedRay<Technique::plain, L> {
   public:
-    CAROM_KERNEL explicit TestedRay(const RayIn<L>& ray) : ray_(ray) {}
+    CAROM_KERNEL explicit TestedRay(const RayIn<L>& ray) : TestedRay<Technique::plain, L>(ray) {}
 
     template <class Kernel, Division kDivision>
     [[nodiscard]] CAROM_KERNEL HitIn<L> test(const typename Kernel::template Record<L>& record,
@@ -85,8 +85,6 @@ class TestedRay<Technique::axis_by_versions, L> {
                 return along<Kernel, kDivision, 2>(record);
         }
     }
-    [[nodiscard]] CAROM_KERNEL typename L::Value t_max() const { return ray_.t_max; }
-    CAROM_KERNEL void set_t_max(typename L::Value t_max) { ray_.t_max = t_max; }
 
   private:
     template <class Kernel, Division kDivision, unsigned kW>
@@ -96,7 +94,8 @@ class TestedRay<Technique::axis_by_versions, L> {
         typename Kernel::template Record<Along> fixed;
         copy(Kernel::template Record<L>::numbers(record), decltype(fixed)::numbers(fixed),
              NumberIndices<decltype(fixed)>());
-        const RayIn<Along> ray{ray_.origin, ray_.direction, ray_.t_min, ray_.t_max};
+        const RayIn<L>& own = this->ray_;
+        const RayIn<Along> ray{own.origin, own.direction, own.t_min, own.t_max};
         const HitIn<Along> hit = Kernel::template intersect<kDivision>(ray, fixed);
         return {hit.t, hit.u, hit.v, hit.valid};
     }
@@ -104,8 +103,6 @@ class TestedRay<Technique::axis_by_versions, L> {
     CAROM_KERNEL static void copy(From from, To to, std::index_sequence<kIndices...>) {
         ((std::get<kIndices>(to) = std::get<kIndices>(from)), ...);
     }
-
-    RayIn<L> ray_;
 };
 
 template <class L>
