@@ -15,7 +15,7 @@ Outline outline_of(const Imath::Box3f& box) {
 
 template <class Shape>
 constexpr Form form_of() {
-    if constexpr (std::is_same_v<Shape, UnitBall>) {
+    if constexpr (std::is_same_v<Shape, UnitSphere>) {
         return Form::ball;
     } else if constexpr (std::is_same_v<Shape, UnitFrustum> || std::is_same_v<Shape, UnitDisk>) {
         return Form::tube;
@@ -30,7 +30,7 @@ Outline outline_of(const BlockList<Shape>& list, std::uint32_t index) {
     const auto& block = list.blocks[index / kBlockLanes];
     const int lane = static_cast<int>(index % kBlockLanes);
     const Mat44 map = world_from_unit(block.unit_from_world(lane));
-    const V3f half_size = Shape::half_size(block.profile_of(lane));
+    const V3f half_size = Shape::half_size(block.parameters_of(lane));
     Outline result{form_of<Shape>(), V3f(map.translation()), {}};
     for (int axis = 0; axis < 3; ++axis) {
         const double half = kUnitWidening * static_cast<double>(half_size[axis]);

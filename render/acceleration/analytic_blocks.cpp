@@ -65,14 +65,14 @@ Affine MappedBlock::unit_from_world(int lane) const {
     return result;
 }
 
-void ProfiledBlock::set_profile(int lane, const V3f& shape_profile) {
+void ParameterBlock::set_parameters(int lane, const V3f& shape_parameters) {
     for (int axis = 0; axis < 3; ++axis) {
-        profile[axis].values[lane] = shape_profile[axis];
+        parameters[axis].values[lane] = shape_parameters[axis];
     }
 }
 
-V3f ProfiledBlock::profile_of(int lane) const {
-    return V3f(profile[0].values[lane], profile[1].values[lane], profile[2].values[lane]);
+V3f ParameterBlock::parameters_of(int lane) const {
+    return V3f(parameters[0].values[lane], parameters[1].values[lane], parameters[2].values[lane]);
 }
 
 }  // namespace carom::render

@@ -85,17 +85,17 @@ struct MappedBlock {
 
     void set_map(int lane, const Affine& unit_from_world);
     [[nodiscard]] Affine unit_from_world(int lane) const;
-    /// Does nothing, because the shape has no profile (shape_list.h).
-    void set_profile(int /*lane*/, const V3f& /*profile*/) {}
-    [[nodiscard]] V3f profile_of(int /*lane*/) const { return V3f(0); }
+    /// Does nothing, because the shape has no parameters (shape_list.h).
+    void set_parameters(int /*lane*/, const V3f& /*parameters*/) {}
+    [[nodiscard]] V3f parameters_of(int /*lane*/) const { return V3f(0); }
 };
 
-/// A MappedBlock for unit shapes with a profile (shape_list.h).
-struct ProfiledBlock : MappedBlock {
-    FloatLanes profile[3];
+/// A MappedBlock for unit shapes with parameters (shape_list.h).
+struct ParameterBlock : MappedBlock {
+    FloatLanes parameters[3];
 
-    void set_profile(int lane, const V3f& shape_profile);
-    [[nodiscard]] V3f profile_of(int lane) const;
+    void set_parameters(int lane, const V3f& shape_parameters);
+    [[nodiscard]] V3f parameters_of(int lane) const;
 };
 
 }  // namespace carom::render

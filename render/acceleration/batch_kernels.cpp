@@ -176,7 +176,7 @@ HWY_ATTR void hit_moving_shape(const MovingShape& shape, const RayBatch& rays,
     using L = VectorLanes<BatchTag>;
     const BatchTag d;
     const AffineOf<L> unit_from_body = affine_of<L>(shape.unit_from_body);
-    const UnitFormOf<L> form{all_of<L>(shape.profile), hn::Zero(d)};
+    const UnitFormOf<L> form{all_of<L>(shape.parameters), hn::Zero(d)};
     const MotionPieces motion = shape.motion->pieces();
     for (int first = 0; first < count; first += static_cast<int>(hn::Lanes(d))) {
         const L::Int number = hn::LoadU(L::IntTag(), numbers + first);

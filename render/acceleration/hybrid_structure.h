@@ -19,11 +19,11 @@ namespace carom::render {
 /// (docs/developers/performance.md).
 inline constexpr std::size_t kTreeThreshold = 160;
 
-/// The few balls and boxes of a billiard shot are tested by brute force, eight at a time, which no
-/// hierarchy beats. From a cost of `tree_threshold` on all shapes except infinite planes go into a
-/// tree, which gives the same hits. Triangles are tested last, within the distance found. A tree of
-/// many static shapes may be shared between frames; then only the other shapes are in `shapes`, and
-/// they are tested in loops.
+/// The few spheres and boxes of a billiard shot are tested by brute force, eight at a time, which
+/// no hierarchy beats. From a cost of `tree_threshold` on all shapes except infinite planes go into
+/// a tree, which gives the same hits. Triangles are tested last, within the distance found. A tree
+/// of many static shapes may be shared between frames; then only the other shapes are in `shapes`,
+/// and they are tested in loops.
 class HybridStructure final : public AccelerationStructure {
   public:
     explicit HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold = kTreeThreshold);

@@ -42,7 +42,8 @@ std::optional<float> intersect_analytic(const MovingShape& shape, const Ray& loc
                                   shape.unit_from_body.vector(local.direction)};
     return visit_shape<Distance>(shape.kind, std::nullopt, [&](auto unit_shape) {
         constexpr ShapeKind kKind = decltype(unit_shape)::kKind;
-        const auto hit = scalar::hit_unit_shape<kKind, One>(line, local.t_min, {shape.profile, 0});
+        const auto hit =
+            scalar::hit_unit_shape<kKind, One>(line, local.t_min, {shape.parameters, 0});
         return hit.valid && hit.t < local.t_max ? Distance(hit.t) : std::nullopt;
     });
 }
@@ -95,14 +96,14 @@ Imath::Box3f swept_bounds(const RigidMotion& motion, float bounding_radius,
         }
     }
     const V3f margin(largest * (turns.within + kWidening - 1));
-    const Imath::Box3f ball = swept_bounds(motion, bounding_radius);
+    const Imath::Box3f sphere = swept_bounds(motion, bounding_radius);
     const Imath::Box3f& path = motion.position_bounds();
     Imath::Box3f box;
     for (int axis = 0; axis < 3; ++axis) {
         box.min[axis] =
-            std::max(ball.min[axis], path.min[axis] + around_origin.min[axis] - margin[axis]);
+            std::max(sphere.min[axis], path.min[axis] + around_origin.min[axis] - margin[axis]);
         box.max[axis] =
-            std::min(ball.max[axis], path.max[axis] + around_origin.max[axis] + margin[axis]);
+            std::min(sphere.max[axis], path.max[axis] + around_origin.max[axis] + margin[axis]);
     }
     return box;
 }

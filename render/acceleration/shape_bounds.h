@@ -50,7 +50,7 @@ template <class Shape>
     const auto& block = list.blocks[index / kBlockLanes];
     const int lane = static_cast<int>(index % kBlockLanes);
     if constexpr (CompleteUnitShape<Shape>) {
-        return bounds_of(block.unit_from_world(lane), Shape::half_size(block.profile_of(lane)));
+        return bounds_of(block.unit_from_world(lane), Shape::half_size(block.parameters_of(lane)));
     } else if constexpr (std::same_as<Shape, MovingSphere>) {
         return bounds_of(block.sphere(lane));
     } else {

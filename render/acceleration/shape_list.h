@@ -22,38 +22,38 @@ namespace carom::render {
 /// Each unit shape has
 /// - kKind and Block, the storage of eight of them for the kernels;
 /// - kIsBounded: whether a bounding box exists;
-/// - half_size(profile): of a bounding box centred at the origin;
-/// - bounding_radius(scale, profile): the largest distance of its surface from its centre if the
+/// - half_size(parameters): of a bounding box centred at the origin;
+/// - bounding_radius(scale, parameters): the largest distance of its surface from its centre if the
 ///   map scales its axes by `scale` and keeps them perpendicular.
-/// `profile` holds the parameters of the shape that an affine map cannot produce; most shapes have
-/// none.
+/// `parameters` holds the parameters of the shape that an affine map cannot produce; most shapes
+/// have none.
 template <ShapeKind kKindOfShape, class BlockOfShape = MappedBlock>
 struct UnitShape {
     static constexpr ShapeKind kKind = kKindOfShape;
     static constexpr bool kIsBounded = true;
     using Block = BlockOfShape;
-    static V3f half_size(const V3f& /*profile*/) { return V3f(1); }
+    static V3f half_size(const V3f& /*parameters*/) { return V3f(1); }
 };
 
 /// Base of the shapes in the plane z = 0.
 template <ShapeKind kKindOfShape>
 struct FlatShape : UnitShape<kKindOfShape> {
-    static V3f half_size(const V3f& /*profile*/) { return V3f(1, 1, 0); }
-    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
+    static V3f half_size(const V3f& /*parameters*/) { return V3f(1, 1, 0); }
+    static double bounding_radius(const Vec3& scale, const V3f& /*parameters*/) {
         return Vec2(scale.x, scale.y).length();
     }
 };
 
 /// |p| <= 1.
-struct UnitBall : UnitShape<ShapeKind::ball> {
-    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
+struct UnitSphere : UnitShape<ShapeKind::sphere> {
+    static double bounding_radius(const Vec3& scale, const V3f& /*parameters*/) {
         return std::max({scale.x, scale.y, scale.z});
     }
 };
 
 /// |x|, |y|, |z| <= 1.
 struct UnitBox : UnitShape<ShapeKind::box> {
-    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
+    static double bounding_radius(const Vec3& scale, const V3f& /*parameters*/) {
         return scale.length();
     }
 };
@@ -66,40 +66,40 @@ struct UnitTriangle : FlatShape<ShapeKind::triangle> {};
 
 /// x^2 + y^2 <= 1.
 struct UnitDisk : FlatShape<ShapeKind::disk> {
-    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
+    static double bounding_radius(const Vec3& scale, const V3f& /*parameters*/) {
         return std::max(scale.x, scale.y);
     }
 };
 
-/// x^2 + y^2 <= (middle + slope z)^2 and |z| <= 1, with the profile (middle, slope, 0): (1, 0, 0)
-/// is a cylinder, (1/2, -1/2, 0) a cone.
-struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
-    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
+/// x^2 + y^2 <= (middle + slope z)^2 and |z| <= 1, with the parameters (middle, slope, 0): (1, 0,
+/// 0) is a cylinder, (1/2, -1/2, 0) a cone.
+struct UnitFrustum : UnitShape<ShapeKind::frustum, ParameterBlock> {
+    static double bounding_radius(const Vec3& scale, const V3f& /*parameters*/) {
         return Vec2(std::max(scale.x, scale.y), scale.z).length();
     }
 };
 
-/// All points within distance 1 of the segment from (0, 0, -h) to (0, 0, h), with the profile
+/// All points within distance 1 of the segment from (0, 0, -h) to (0, 0, h), with the parameters
 /// (h, 0, 0).
-struct UnitCapsule : UnitShape<ShapeKind::capsule, ProfiledBlock> {
-    static V3f half_size(const V3f& profile) { return V3f(1, 1, 1 + profile.x); }
-    static double bounding_radius(const Vec3& scale, const V3f& profile) {
-        return static_cast<double>(profile.x) * scale.z + std::max({scale.x, scale.y, scale.z});
+struct UnitCapsule : UnitShape<ShapeKind::capsule, ParameterBlock> {
+    static V3f half_size(const V3f& parameters) { return V3f(1, 1, 1 + parameters.x); }
+    static double bounding_radius(const Vec3& scale, const V3f& parameters) {
+        return static_cast<double>(parameters.x) * scale.z + std::max({scale.x, scale.y, scale.z});
     }
 };
 
-/// All points within distance 1 of the box |p| <= core; the profile is `core`.
-struct UnitRoundedBox : UnitShape<ShapeKind::rounded_box, ProfiledBlock> {
-    static V3f half_size(const V3f& profile) { return profile + V3f(1); }
-    static double bounding_radius(const Vec3& scale, const V3f& profile) {
-        return (scale * Vec3(profile)).length() + std::max({scale.x, scale.y, scale.z});
+/// All points within distance 1 of the box |p| <= core; the parameters are `core`.
+struct UnitRoundedBox : UnitShape<ShapeKind::rounded_box, ParameterBlock> {
+    static V3f half_size(const V3f& parameters) { return parameters + V3f(1); }
+    static double bounding_radius(const Vec3& scale, const V3f& parameters) {
+        return (scale * Vec3(parameters)).length() + std::max({scale.x, scale.y, scale.z});
     }
 };
 
 /// The infinite plane z = 0.
 struct UnitPlane : UnitShape<ShapeKind::plane> {
     static constexpr bool kIsBounded = false;
-    static double bounding_radius(const Vec3& /*scale*/, const V3f& /*profile*/) { return 1; }
+    static double bounding_radius(const Vec3& /*scale*/, const V3f& /*parameters*/) { return 1; }
 };
 
 template <class... Shapes>
@@ -117,10 +117,10 @@ struct ShapeList {
 };
 
 /// In the order of ShapeKind.
-using UnitShapes = ShapeList<UnitBall, UnitBox, UnitRectangle, UnitTriangle, UnitDisk, UnitFrustum,
-                             UnitCapsule, UnitRoundedBox, UnitPlane>;
+using UnitShapes = ShapeList<UnitSphere, UnitBox, UnitRectangle, UnitTriangle, UnitDisk,
+                             UnitFrustum, UnitCapsule, UnitRoundedBox, UnitPlane>;
 
-// Special cases of balls and boxes that are faster to test than under an affine map.
+// Special cases of spheres and boxes that are faster to test than under an affine map.
 struct StaticSphere {
     using Block = StaticSphereBlock;
     static constexpr bool kIsBounded = true;
@@ -151,13 +151,13 @@ inline constexpr std::uint32_t kLaneShape = LaneShapes::index_of<Shape>();
 inline constexpr std::uint32_t kLaneShapeCount = LaneShapes::kSize;
 
 template <class Shape>
-concept CompleteUnitShape = requires(const V3f& profile, const Vec3& scale,
+concept CompleteUnitShape = requires(const V3f& parameters, const Vec3& scale,
                                      typename Shape::Block& block) {
     { Shape::kKind } -> std::convertible_to<ShapeKind>;
     { Shape::kIsBounded } -> std::convertible_to<bool>;
-    { Shape::half_size(profile) } -> std::same_as<V3f>;
-    { Shape::bounding_radius(scale, profile) } -> std::same_as<double>;
-    block.set_profile(0, profile);
+    { Shape::half_size(parameters) } -> std::same_as<V3f>;
+    { Shape::bounding_radius(scale, parameters) } -> std::same_as<double>;
+    block.set_parameters(0, parameters);
 };
 
 template <class... Shapes>

@@ -21,7 +21,7 @@ class TriangleScene;
 struct MovingShape {
     ShapeKind kind = ShapeKind::box;
     Affine unit_from_body;
-    V3f profile{0, 0, 0};  // see shape_list.h
+    V3f parameters{0, 0, 0};  // see shape_list.h
     std::shared_ptr<const RigidMotion> motion;
     std::shared_ptr<const TriangleScene> mesh;  // in body axes, object indices 0
     Imath::Box3f bounds;                        // world axes, over the whole shutter

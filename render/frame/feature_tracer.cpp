@@ -129,8 +129,8 @@ class FeatureTracer::Queue {
 
     void flush() {
         make_rays(tracer_.camera_, tracer_.fixings_, *batch_);
-        tracer_.integrator_.look(CameraRun::all(*batch_), tracer_.pixel_spread_, results_.data(),
-                                 workspace_.get());
+        tracer_.integrator_.trace_first_hits(CameraRun::all(*batch_), tracer_.pixel_spread_,
+                                             results_.data(), workspace_.get());
         for (std::size_t i = 0; i < sums_.size(); ++i) {
             sums_[i]->add(results_[i]);
             if (!is_last_round) {

@@ -66,7 +66,7 @@ Imath::Box3f bounds_of(const SceneObject& object, const RigidMotion& motion) {
         return swept_bounds(motion, object.bounding_radius);
     }
     V3f half_size(1);
-    visit_shape(object.kind, [&](auto shape) { half_size = shape.half_size(object.profile); });
+    visit_shape(object.kind, [&](auto shape) { half_size = shape.half_size(object.parameters); });
     return swept_bounds(motion, object.bounding_radius, object.frame.world_from_unit, half_size);
 }
 
@@ -86,7 +86,7 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
     MovingShape shape;
     shape.kind = object.kind;
     shape.unit_from_body = object.frame.unit_from_world;
-    shape.profile = object.profile;
+    shape.parameters = object.parameters;
     shape.motion = motion;
     shape.mesh = geometry.tracked_meshes[index];
     shape.bounds = bounds_of(object, *motion);
@@ -172,8 +172,8 @@ V3f FrameScene::moved(std::uint32_t object, const V3f& position, float from_time
     return motion->position(to_time) + rotate(motion->world_from_body(to_time), arm);
 }
 
-std::vector<FrameScene::Ball> FrameScene::balls() const {
-    std::vector<Ball> result;
+std::vector<FrameScene::Sphere> FrameScene::spheres() const {
+    std::vector<Sphere> result;
     for (std::uint32_t i = 0; i < data_->motions.size(); ++i) {
         const SceneObject& object = data_->geometry->objects[i];
         if (!object.is_round || object.light.has_value()) {

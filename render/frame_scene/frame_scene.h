@@ -42,14 +42,14 @@ class FrameScene {
                             float to_time) const;
 
     /// A sphere, static or moving.
-    struct Ball {
+    struct Sphere {
         std::uint32_t object = 0;
         std::uint32_t material = 0;
         float radius = 0;
         Imath::Box3f centres;  // box around all positions of its centre
     };
-    /// All balls with a material, in the order of their objects.
-    [[nodiscard]] std::vector<Ball> balls() const;
+    /// All spheres with a material, in the order of their objects.
+    [[nodiscard]] std::vector<Sphere> spheres() const;
     /// The position of the object's body, or of its unit shape's centre if it follows no track.
     [[nodiscard]] V3f centre(std::uint32_t object, float time) const;
     /// The rotation of an object that follows a track.

@@ -12,7 +12,7 @@
 namespace carom::render {
 namespace {
 
-constexpr double kRoundness = 1e-6;  // relative difference between a ball's scales
+constexpr double kRoundness = 1e-6;  // relative difference between a sphere's scales
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
     throw Error("object '" + name + "': " + what);
@@ -52,7 +52,7 @@ Mat44 checked_transform(const ObjectDescription& description) {
 struct UnitOfObject {
     ShapeKind kind;
     Mat44 object_from_unit{};
-    V3f profile{0, 0, 0};
+    V3f parameters{0, 0, 0};
 };
 
 struct MakeUnit {
@@ -60,7 +60,7 @@ struct MakeUnit {
 
     UnitOfObject operator()(const SphereShape& shape) const {
         check_size(shape.radius, name, "the radius");
-        return {ShapeKind::ball, scaling(Vec3(shape.radius))};
+        return {ShapeKind::sphere, scaling(Vec3(shape.radius))};
     }
     UnitOfObject operator()(const BoxShape& shape) const {
         for (int axis = 0; axis < 3; ++axis) {
@@ -174,10 +174,10 @@ double bounding_radius_of(const UnitOfObject& unit, const Mat44& world_from_unit
     return visit_shape(unit.kind, 1.0, [&](auto shape) {
         using Shape = decltype(shape);
         if (is_straight) {
-            return Shape::bounding_radius(scale, unit.profile);
+            return Shape::bounding_radius(scale, unit.parameters);
         }
         // Every shape lies within its box or, if that is larger, the unit cube.
-        const V3f half = Shape::half_size(unit.profile);
+        const V3f half = Shape::half_size(unit.parameters);
         return std::max(half.x, 1.f) * scale.x + std::max(half.y, 1.f) * scale.y +
                std::max(half.z, 1.f) * scale.z;
     });
@@ -225,11 +225,11 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
     const UnitOfObject unit = std::visit(MakeUnit{description.name}, description.shape);
     const Mat44 world_from_unit = unit.object_from_unit * world_from_object;
     object.kind = unit.kind;
-    object.profile = unit.profile;
+    object.parameters = unit.parameters;
     const double offset = object.is_tracked() ? length_of_translation(world_from_unit) : 0;
     const Vec3 scale = axis_scales(world_from_object);
     object.half_size = V3f(axis_scales(world_from_unit));
-    object.is_round = object.kind == ShapeKind::ball && equal_scales(scale) && offset == 0 &&
+    object.is_round = object.kind == ShapeKind::sphere && equal_scales(scale) && offset == 0 &&
                       has_right_angles(world_from_object);
     object.is_upright_box = object.kind == ShapeKind::box && is_upright(world_from_object);
     object.bounding_radius = static_cast<float>(offset + bounding_radius_of(unit, world_from_unit));
@@ -251,7 +251,7 @@ std::optional<SceneObject> make_light_object(const LightDescription& description
     object.name = description.name;
     object.light = light;
     object.kind = shape->kind;
-    object.is_round = shape->kind == ShapeKind::ball;
+    object.is_round = shape->kind == ShapeKind::sphere;
     object.is_one_sided = shape->is_one_sided;
     object.half_size = shape->half_size;
     object.bounding_radius =

@@ -23,18 +23,18 @@ struct UnitFrame {
 struct SceneObject {
     std::string name;
     std::string track;  // empty: static
-    ShapeKind kind = ShapeKind::ball;
+    ShapeKind kind = ShapeKind::sphere;
     std::uint32_t material = kNoMaterial;
     std::optional<std::uint32_t> light;
     bool has_texture = false;
-    bool is_round = false;        // a ball with three equal radii
+    bool is_round = false;        // a sphere with three equal radii
     bool is_upright_box = false;  // a box along the world's axes, in their order
     bool is_one_sided = false;    // a rectangle light
-    V3f half_size{1, 1, 1};       // m: lengths of the unit shape's axes, so a ball's radii
+    V3f half_size{1, 1, 1};       // m: lengths of the unit shape's axes, so a sphere's radii
     float bounding_radius = 1;    // largest distance of its surface from the body's origin, m
     UnitFrame frame;              // of analytic shapes
     Affine metres_from_world;     // object axes in metres, scaled; with a track: from the body's
-    V3f profile{0, 0, 0};         // of the unit shape (shape_list.h)
+    V3f parameters{0, 0, 0};      // of the unit shape (shape_list.h)
     std::shared_ptr<const TriangleMesh> mesh;  // static: world axes; with a track: body axes
 
     [[nodiscard]] bool is_tracked() const { return !track.empty(); }

@@ -61,7 +61,7 @@ void add_mapped(BlockList<Shape>& list, const SceneObject& object, std::uint32_t
                 const UnitFrame& frame) {
     const auto [block, lane] = list.add(index);
     block.set_map(lane, frame.unit_from_world);
-    block.set_profile(lane, object.profile);
+    block.set_parameters(lane, object.parameters);
     block.one_sided.values[lane] = object.is_one_sided ? 1.f : 0.f;
 }
 

@@ -14,22 +14,22 @@ scalar::TextureNeeds needs_of(const SceneObject& object) {
 }
 
 scalar::PoseOf<One> pose_at(const RigidMotion& motion, float time) {
-    return {motion.position(time), scalar::turn_of(motion.world_from_body(time))};
+    return {motion.position(time), scalar::rotation_of(motion.world_from_body(time))};
 }
 
-Point point_of_ball(const SceneObject& object, const RigidMotion* motion, const LocalRay& ray,
-                    float time, float t) {
+Point point_of_sphere(const SceneObject& object, const RigidMotion* motion, const LocalRay& ray,
+                      float time, float t) {
     const V3f centre =
         motion != nullptr ? motion->position(time) : object.frame.world_from_unit.translation;
     const float radius = object.half_size.x;
-    Point point = scalar::point_on_ball<One>(ray, t, centre, radius);
+    Point point = scalar::point_on_sphere<One>(ray, t, centre, radius);
     if (object.has_texture) {
         auto arm = point.geometric_normal * radius;
         if (motion != nullptr) {
-            arm = scalar::turn_of(motion->world_from_body(time)).undo(arm);
+            arm = scalar::rotation_of(motion->world_from_body(time)).undo(arm);
         }
-        scalar::set_place_on_ball<One>(scalar::affine_of<One>(object.metres_from_world), arm,
-                                       radius, needs_of(object), point);
+        scalar::set_place_on_sphere<One>(scalar::affine_of<One>(object.metres_from_world), arm,
+                                         radius, needs_of(object), point);
     }
     return point;
 }
@@ -53,7 +53,7 @@ Point point_in_body(const SceneObject& object, const LocalRay& ray, const Hit& h
     const scalar::MappedShapeOf<One> shape{scalar::affine_of<One>(object.frame.unit_from_world),
                                            scalar::affine_of<One>(object.frame.world_from_unit),
                                            scalar::affine_of<One>(object.metres_from_world),
-                                           object.half_size, object.profile};
+                                           object.half_size, object.parameters};
     return scalar::point_on_shape<One>(object.kind, shape, ray, hit.t, needs_of(object));
 }
 
@@ -61,7 +61,7 @@ Point point_of(const SceneObject& object, const RigidMotion* motion, const Ray& 
                const Hit& hit) {
     const LocalRay in_world{ray.origin, ray.direction};
     if (object.is_round) {
-        return point_of_ball(object, motion, in_world, ray.time, hit.t);
+        return point_of_sphere(object, motion, in_world, ray.time, hit.t);
     }
     if (motion != nullptr) {
         const scalar::PoseOf<One> body = pose_at(*motion, ray.time);

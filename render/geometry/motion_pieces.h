@@ -25,7 +25,7 @@ struct PathPiece {
 };
 
 /// A rotation by less than half a turn between two times, at a constant rate about a fixed axis.
-struct TurnPiece {
+struct RotationPiece {
     float start = 0;
     float inverse_duration = 0;      // 1 / (end - start), 0 without rotation
     Imath::V3f axis{0, 0, 1};        // unit, world axes
@@ -37,8 +37,8 @@ struct TurnPiece {
 /// the last to infinity. At least one of each.
 struct MotionPieces {
     const PathPiece* path = nullptr;
-    const TurnPiece* turns = nullptr;
-    std::int32_t path_count = 0, turn_count = 0;
+    const RotationPiece* turns = nullptr;
+    std::int32_t path_count = 0, rotation_count = 0;
 };
 
 }  // namespace carom::render

@@ -99,7 +99,7 @@ class Clipper {
     [[nodiscard]] Corners corners_at(std::uint32_t at) const {
         return {points_[previous_[at]], points_[at], points_[next_[at]]};
     }
-    [[nodiscard]] double turn_at(std::uint32_t at) const {
+    [[nodiscard]] double rotation_at(std::uint32_t at) const {
         return turn(points_[previous_[at]], points_[at], points_[next_[at]]);
     }
 
@@ -190,7 +190,8 @@ bool Clipper::is_ear(std::uint32_t at) {
 
 /// Goes round the polygon. If every corner is rejected, it is clipped at the current one.
 bool Clipper::clip_simple() {
-    sort_by_x([&](std::uint32_t i) { return points_.size() <= kFewCorners || turn_at(i) <= 0; });
+    sort_by_x(
+        [&](std::uint32_t i) { return points_.size() <= kFewCorners || rotation_at(i) <= 0; });
     std::uint32_t at = 0;
     std::size_t tried = 0;
     while (size_ > 3 && has_work_) {
@@ -234,7 +235,7 @@ bool Clipper::is_in_way(std::uint32_t p, const Corners& triangle, double toleran
 /// Whether the triangle at a corner can be cut off, also where the polygon touches itself.
 bool Clipper::is_clear(std::uint32_t at, double tolerance) {
     const Corners triangle = corners_at(at);
-    return turn_at(at) > 0 &&
+    return rotation_at(at) > 0 &&
            !any_near(triangle, [&](std::uint32_t k) { return is_in_way(k, triangle, tolerance); });
 }
 
@@ -262,7 +263,7 @@ std::uint32_t Clipper::flattest(std::uint32_t from) {
     has_work_ = spend(size_) && has_work_;
     std::uint32_t best = from;
     for (std::uint32_t at = next_[from]; at != from; at = next_[at]) {
-        best = std::abs(turn_at(at)) < std::abs(turn_at(best)) ? at : best;
+        best = std::abs(rotation_at(at)) < std::abs(rotation_at(best)) ? at : best;
     }
     return best;
 }
@@ -279,7 +280,7 @@ std::uint32_t Clipper::find_touching_ear(std::uint32_t from, double extent) {
             return ear;
         }
         const std::uint32_t flat = flattest(from);
-        if (std::abs(turn_at(flat)) <= tolerance) {
+        if (std::abs(rotation_at(flat)) <= tolerance) {
             return flat;
         }
     }

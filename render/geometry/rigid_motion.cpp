@@ -50,7 +50,7 @@ Imath::Box3f widened(const sim::Bounds& bounds) {
 }
 
 /// The orientation after this part of the piece, in [0, 1].
-Imath::Quatf turned(const TurnPiece& piece, float fraction) {
+Imath::Quatf turned(const RotationPiece& piece, float fraction) {
     if (piece.half_angle == 0) {
         return piece.world_from_body;
     }
@@ -69,7 +69,7 @@ RigidMotion::RigidMotion(const Pose& pose) {
     PathPiece piece;
     piece.c[0] = V3f(pose.position);
     path_.push_back(piece);
-    TurnPiece turn;
+    RotationPiece turn;
     turn.world_from_body = narrowed(pose.orientation);
     turns_.push_back(turn);
     bounds_ = widened({pose.position, pose.position});
@@ -94,7 +94,7 @@ void RigidMotion::join_rests() {
         return a.is_constant() && b.is_constant() && a.c[0] == b.c[0];
     };
     path_.erase(std::unique(path_.begin(), path_.end(), same_rest), path_.end());
-    const auto same_stand = [](const TurnPiece& a, const TurnPiece& b) {
+    const auto same_stand = [](const RotationPiece& a, const RotationPiece& b) {
         return a.half_angle == 0 && b.half_angle == 0 && a.world_from_body == b.world_from_body;
     };
     turns_.erase(std::unique(turns_.begin(), turns_.end(), same_stand), turns_.end());
@@ -104,7 +104,7 @@ void RigidMotion::add_turns(const sim::Track& track, double scene_open, double s
                             double from, double to, int depth) {
     const double shutter = scene_close - scene_open;
     const MotionState begin = track.sample(from);
-    TurnPiece piece;
+    RotationPiece piece;
     piece.world_from_body = narrowed(begin.orientation);
     if (!(shutter > 0) || !(to > from)) {
         turns_.push_back(piece);
@@ -138,13 +138,13 @@ V3f RigidMotion::position(float time) const {
 }
 
 Imath::Quatf RigidMotion::world_from_body(float time) const {
-    const auto turn = scalar::turn_at<scalar::One>(pieces(), time);
+    const auto turn = scalar::rotation_at<scalar::One>(pieces(), time);
     return {turn.real, turn.vector};
 }
 
 RigidMotion::Orientations RigidMotion::orientations() const {
     Orientations result;
-    for (const TurnPiece& piece : turns_) {
+    for (const RotationPiece& piece : turns_) {
         const float whole = 2 * piece.half_angle;
         const int steps = 1 + static_cast<int>(std::min(whole / kBetweenOrientations, 63.f));
         for (int i = 0; i <= steps; ++i) {

@@ -65,16 +65,16 @@ class RigidMotion {
                    double to, int depth);
 
     std::vector<PathPiece> path_;
-    std::vector<TurnPiece> turns_;
+    std::vector<RotationPiece> turns_;
     Imath::Box3f bounds_;
 };
 
 /// Rotates v by the unit quaternion q, and back.
 [[nodiscard]] inline V3f rotate(const Imath::Quatf& q, const V3f& v) {
-    return scalar::turn_of(q).apply(v);
+    return scalar::rotation_of(q).apply(v);
 }
 [[nodiscard]] inline V3f rotate_back(const Imath::Quatf& q, const V3f& v) {
-    return scalar::turn_of(q).undo(v);
+    return scalar::rotation_of(q).undo(v);
 }
 
 }  // namespace carom::render

@@ -16,7 +16,7 @@
 
 namespace carom::render::scalar {
 
-[[nodiscard]] inline TurnOf<One> turn_of(const Imath::Quatf& rotation) {
+[[nodiscard]] inline RotationOf<One> rotation_of(const Imath::Quatf& rotation) {
     return {rotation.r, rotation.v};
 }
 

@@ -8,7 +8,7 @@ namespace carom::render {
 /// The kind of an object. All kinds except the last are unit shapes under an affine map, which are
 /// described in render/acceleration/shape_list.h.
 enum class ShapeKind : std::uint8_t {
-    ball,
+    sphere,
     box,
     rectangle,
     triangle,

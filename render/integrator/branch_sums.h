@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/integrator/path_state.h"
-#include "render/integrator/wave/path_wave.h"
+#include "render/integrator/wave/path_queues.h"
 
 namespace carom::render {
 

@@ -25,64 +25,67 @@ V3f scattered(const scalar::BsdfOf<scalar::One>& bsdf, const V3f& direction) {
 
 Caustics::Caustics(const TransportScene& scene)
     : scene_(scene), light_count_(scene.lights.first_emissive()) {
-    for (const SpecularBall& ball : specular_balls(scene)) {
-        add(ball);
+    for (const SpecularSphere& sphere : specular_spheres(scene)) {
+        add(sphere);
     }
-    for (const SpecularBall& ball : clear_balls(scene)) {
-        add(ball);
+    for (const SpecularSphere& sphere : clear_spheres(scene)) {
+        add(sphere);
     }
 }
 
-void Caustics::add(const SpecularBall& ball) {
-    const V3f middle = ball.centres.center();
-    const float travel = 0.5f * ball.centres.size().length();
+void Caustics::add(const SpecularSphere& sphere) {
+    const V3f middle = sphere.centres.center();
+    const float travel = 0.5f * sphere.centres.size().length();
     float total = 0;
     std::vector<float> intensities;
     for (std::size_t light = 0; light < light_count_; ++light) {
-        intensities.push_back(connection_importance(scene_, ball, light));
+        intensities.push_back(connection_importance(scene_, sphere, light));
         total += intensities.back();
     }
     if (total <= 0) {
         return;
     }
-    index_.resize(std::max<std::size_t>(index_.size(), ball.object + 1u), -1);
-    index_[ball.object] = static_cast<int>(balls_.size());
-    balls_.push_back(ball);
+    index_.resize(std::max<std::size_t>(index_.size(), sphere.object + 1u), -1);
+    index_[sphere.object] = static_cast<int>(spheres_.size());
+    spheres_.push_back(sphere);
     intensity_.push_back(total);
     pairs_.insert(pairs_.end(), intensities.begin(), intensities.end());
-    ball_bounds_.x.push_back(middle.x);
-    ball_bounds_.y.push_back(middle.y);
-    ball_bounds_.z.push_back(middle.z);
-    ball_bounds_.bounding_radius.push_back(ball.radius + travel);
-    ball_bounds_.radius2.push_back(ball.radius * ball.radius);
-    const float fraction = ball.refracts ? 1.0f : luminance(ball.material->mirror_reflectance(1));
-    ball_bounds_.gain.push_back(std::max(1.0f, fraction / kCoatReflectance));
+    sphere_bounds_.x.push_back(middle.x);
+    sphere_bounds_.y.push_back(middle.y);
+    sphere_bounds_.z.push_back(middle.z);
+    sphere_bounds_.bounding_radius.push_back(sphere.radius + travel);
+    sphere_bounds_.radius2.push_back(sphere.radius * sphere.radius);
+    const float fraction =
+        sphere.refracts ? 1.0f : luminance(sphere.material->mirror_reflectance(1));
+    sphere_bounds_.gain.push_back(std::max(1.0f, fraction / kCoatReflectance));
 }
 
-inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& normal) const {
-    const V3f to_ball =
-        V3f(ball_bounds_.x[ball], ball_bounds_.y[ball], ball_bounds_.z[ball]) - position;
-    return scalar::ball_share<scalar::One>(to_ball, normal, ball_bounds_.bounding_radius[ball],
-                                           ball_bounds_.radius2[ball], ball_bounds_.gain[ball]);
+inline float Caustics::weight(std::size_t sphere, const V3f& position, const V3f& normal) const {
+    const V3f to_sphere =
+        V3f(sphere_bounds_.x[sphere], sphere_bounds_.y[sphere], sphere_bounds_.z[sphere]) -
+        position;
+    return scalar::solid_angle_fraction<scalar::One>(
+        to_sphere, normal, sphere_bounds_.bounding_radius[sphere], sphere_bounds_.radius2[sphere],
+        sphere_bounds_.gain[sphere]);
 }
 
-// `own`: the ball that the vertex lies on, which reflects nothing onto it.
+// `own`: the sphere that the vertex lies on, which reflects nothing onto it.
 float Caustics::total_weight(const V3f& position, const V3f& normal, std::size_t own) const {
     float total = 0;
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
+    for (std::size_t i = 0; i < spheres_.size(); ++i) {
         total += weight(i, position, normal);
     }
-    return own < balls_.size() ? total - weight(own, position, normal) : total;
+    return own < spheres_.size() ? total - weight(own, position, normal) : total;
 }
 
-// A vertex connects with a probability equal to the total weight of the balls: most vertices are
-// far from balls and cost nothing.
+// A vertex connects with a probability equal to the total weight of the spheres: most vertices are
+// far from spheres and cost nothing.
 V3f Caustics::estimate(const Path& path, const Receiver& vertex, const PathDimensions& dimensions,
                        RenderStatistics& count) const {
     const std::uint32_t object = vertex.object;
     const std::size_t own = object < index_.size() && index_[object] >= 0
                                 ? static_cast<std::size_t>(index_[object])
-                                : balls_.size();
+                                : spheres_.size();
     const V3f normal = vertex.bsdf.geometric_normal;
     const float total = total_weight(vertex.position, normal, own);
     const float survival = std::min(1.0f, total);
@@ -91,9 +94,9 @@ V3f Caustics::estimate(const Path& path, const Receiver& vertex, const PathDimen
     }
     const std::array<float, 4> u = dimensions.caustic(path);
     float rest = u[0] * total;
-    std::size_t chosen = balls_.size();
+    std::size_t chosen = spheres_.size();
     float probability = 0;
-    for (std::size_t i = 0; i < balls_.size() && rest >= 0; ++i) {
+    for (std::size_t i = 0; i < spheres_.size() && rest >= 0; ++i) {
         const float w = i == own ? 0 : weight(i, vertex.position, normal);
         if (w > 0) {
             chosen = i;  // the last one with a weight if rounding leaves a rest
@@ -101,7 +104,7 @@ V3f Caustics::estimate(const Path& path, const Receiver& vertex, const PathDimen
             rest -= w;
         }
     }
-    if (chosen == balls_.size()) {
+    if (chosen == spheres_.size()) {
         return V3f(0, 0, 0);
     }
     return sample_connection(chosen, path, vertex, u, count) / (survival * probability);
@@ -120,12 +123,12 @@ V3f Caustics::sample_connection(std::size_t index, const Path& path, const Recei
         return V3f(0, 0, 0);
     }
     const float light_probability = intensities[light] / intensity_[index];
-    if (balls_[index].refracts) {
-        return sample_refraction(balls_[index], light, path, vertex, V2f(u[2], u[3]), count) /
+    if (spheres_[index].refracts) {
+        return sample_refraction(spheres_[index], light, path, vertex, V2f(u[2], u[3]), count) /
                light_probability;
     }
     const auto connection =
-        connect(scene_, balls_[index], light, vertex.position, path.ray.time, V2f(u[2], u[3]));
+        connect(scene_, spheres_[index], light, vertex.position, path.ray.time, V2f(u[2], u[3]));
     if (!connection) {
         return V3f(0, 0, 0);
     }
@@ -137,11 +140,11 @@ V3f Caustics::sample_connection(std::size_t index, const Path& path, const Recei
     return value * (connection->solid_angle / light_probability);
 }
 
-V3f Caustics::sample_refraction(const SpecularBall& ball, std::size_t light, const Path& path,
+V3f Caustics::sample_refraction(const SpecularSphere& sphere, std::size_t light, const Path& path,
                                 const Receiver& vertex, const V2f& u,
                                 RenderStatistics& count) const {
     const RefractedConnections found =
-        connect_through(scene_, ball, light, vertex.position, path.ray.time, u);
+        connect_through(scene_, sphere, light, vertex.position, path.ray.time, u);
     V3f sum(0, 0, 0);
     for (int i = 0; i < found.count; ++i) {
         const RefractedConnections::One& one = found.at[static_cast<std::size_t>(i)];

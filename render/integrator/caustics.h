@@ -1,5 +1,5 @@
-// Specular caustics: light that a smooth ball reflects onto other surfaces, or that comes through a
-// ball of clear glass from a small lamp.
+// Specular caustics: light that a smooth sphere reflects onto other surfaces, or that comes through
+// a sphere of clear glass from a small lamp.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace carom::render {
 
 /// A path that finds such light by chance causes a firefly. The first two vertices of a path sample
-/// it instead: a ball, a light and a point of the light are chosen, and the specular point is
+/// it instead: a sphere, a light and a point of the light are chosen, and the specular point is
 /// solved for (specular_connection.h). Paths that hit a light covered by this sampling leave its
 /// light out.
 class Caustics {
@@ -31,11 +31,11 @@ class Caustics {
     [[nodiscard]] V3f estimate(const Path& path, const Receiver& vertex,
                                const PathDimensions& dimensions, RenderStatistics& count) const;
 
-    /// Whether the ball is one of clear glass, through which light is sampled; otherwise it is its
-    /// reflection that is sampled.
+    /// Whether the sphere is one of clear glass, through which light is sampled; otherwise it is
+    /// its reflection that is sampled.
     [[nodiscard]] bool refracts(std::uint32_t object) const {
         return object < index_.size() && index_[object] >= 0 &&
-               balls_[static_cast<std::size_t>(index_[object])].refracts;
+               spheres_[static_cast<std::size_t>(index_[object])].refracts;
     }
 
     /// Whether `light`, when a path hits it after a specular reflection on `object`, or through it
@@ -45,36 +45,37 @@ class Caustics {
                pairs_[static_cast<std::size_t>(index_[object]) * light_count_ + light] > 0;
     }
 
-    /// The data by which balls are chosen, as a structure of arrays.
-    struct BallBounds {
+    /// The data by which spheres are chosen, as a structure of arrays.
+    struct SphereBounds {
         std::vector<float> x, y, z;          // the centre of the box around all positions
         std::vector<float> bounding_radius;  // from there to the farthest point of the surface
         std::vector<float> radius2;
         std::vector<float>
             gain;  // its reflectance or transmittance over a coat's of index 1.5; >= 1
     };
-    [[nodiscard]] const BallBounds& ball_bounds() const { return ball_bounds_; }
+    [[nodiscard]] const SphereBounds& sphere_bounds() const { return sphere_bounds_; }
     /// By object: its index in `places`, or -1; objects beyond the end have none.
-    [[nodiscard]] const std::vector<int>& ball_of_object() const { return index_; }
+    [[nodiscard]] const std::vector<int>& sphere_of_object() const { return index_; }
 
   private:
-    [[nodiscard]] float weight(std::size_t ball, const V3f& position, const V3f& normal) const;
+    [[nodiscard]] float weight(std::size_t sphere, const V3f& position, const V3f& normal) const;
     [[nodiscard]] float total_weight(const V3f& position, const V3f& normal, std::size_t own) const;
-    [[nodiscard]] V3f sample_connection(std::size_t ball, const Path& path, const Receiver& vertex,
-                                        const std::array<float, 4>& u,
+    [[nodiscard]] V3f sample_connection(std::size_t sphere, const Path& path,
+                                        const Receiver& vertex, const std::array<float, 4>& u,
                                         RenderStatistics& count) const;
-    [[nodiscard]] V3f sample_refraction(const SpecularBall& ball, std::size_t light,
+    [[nodiscard]] V3f sample_refraction(const SpecularSphere& sphere, std::size_t light,
                                         const Path& path, const Receiver& vertex, const V2f& u,
                                         RenderStatistics& count) const;
-    void add(const SpecularBall& ball);
+    void add(const SpecularSphere& sphere);
 
     TransportScene scene_;
     std::size_t light_count_ = 0;
-    std::vector<SpecularBall> balls_;
-    std::vector<float> intensity_;  // by ball: sum over its lights
-    BallBounds ball_bounds_;
-    std::vector<int> index_;    // by object: into balls_, or -1
-    std::vector<float> pairs_;  // by ball, then by light: the light's importance; 0: not connected
+    std::vector<SpecularSphere> spheres_;
+    std::vector<float> intensity_;  // by sphere: sum over its lights
+    SphereBounds sphere_bounds_;
+    std::vector<int> index_;  // by object: into spheres_, or -1
+    std::vector<float>
+        pairs_;  // by sphere, then by light: the light's importance; 0: not connected
 };
 
 }  // namespace carom::render

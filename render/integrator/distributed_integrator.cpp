@@ -39,8 +39,8 @@ WaveNumberTable make_models(const std::vector<Material>& materials) {
 
 /// The rays of a generation that are followed together, and their vertices.
 struct DistributedIntegrator::Generation {
-    PathWave rays;
-    VertexWave vertices;
+    PathQueue rays;
+    SurfaceQueue vertices;
     LobeWave reflection, refraction;
 
     Generation() {
@@ -67,10 +67,10 @@ struct DistributedIntegrator::Forest final : Integrator::Workspace {
 
     std::deque<Generation> generations;
     HitSurfaces surfaces;
-    ShadowWave shadows;
+    ShadowQueue shadows;
     Floats3 own;
-    SampleWave samples;
-    WaveList hit_rays;
+    CameraSamples samples;
+    IndexList hit_rays;
     RadianceSample* results = nullptr;
     RenderStatistics* count = nullptr;
 };
@@ -133,7 +133,7 @@ void DistributedIntegrator::trace(Forest& forest, int generation) const {
     kernels_->find_lobes(step);
     for (const LobeWave* lobe : {&all.refraction, &all.reflection}) {
         for (int k = 0; k < lobe->samples; ++k) {
-            PathWave& next = forest.generation(generation + 1).rays;
+            PathQueue& next = forest.generation(generation + 1).rays;
             next.count = 0;
             next.vertex = generation + 1;
             kernels_->send(step, *lobe, k, next);
@@ -150,7 +150,7 @@ void DistributedIntegrator::trace(Forest& forest, int generation) const {
 
 // Adds what rays see of lights and environment, and makes vertices of the other hits.
 void DistributedIntegrator::process_hits(Forest& forest, Generation& all, int generation) const {
-    PathWave& rays = all.rays;
+    PathQueue& rays = all.rays;
     const Hit* const hits = forest.surfaces.trace(rays);
     forest.hit_rays.count = 0;
     for (int i = 0; i < rays.count; ++i) {
@@ -187,7 +187,7 @@ void DistributedIntegrator::shade(Forest& forest, const DistributedStep& step) c
     for (const WaveLight& light : wave_scene_.light) {
         rays += light.kind == WaveLight::Kind::delta ? 1 : step.counts.shadow;
     }
-    ShadowWave& shadows = forest.shadows;
+    ShadowQueue& shadows = forest.shadows;
     for (int first = 0; first < step.vertices.count; first = shadows.last) {
         shadows.begin(first, step.vertices.count, rays, false);
         kernels_->shade(step);

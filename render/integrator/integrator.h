@@ -46,8 +46,8 @@ class Integrator {
 
     /// What rays from the camera see: all of `samples` except the radiance, with the same means.
     /// Only of integrators that follow paths; the others set nothing. `workspace`: as of `samples`.
-    virtual void look(const CameraRun& /*run*/, float /*pixel_spread*/, RadianceSample* /*results*/,
-                      Workspace* /*workspace*/) const {}
+    virtual void trace_first_hits(const CameraRun& /*run*/, float /*pixel_spread*/,
+                                  RadianceSample* /*results*/, Workspace* /*workspace*/) const {}
 
   protected:
     Integrator() = default;

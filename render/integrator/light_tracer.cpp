@@ -37,24 +37,24 @@ struct Extent {
 
 LightTracer::LightTracer(const TransportScene& scene, const ThinLensCamera& camera)
     : scene_(scene), camera_(camera), light_count_(scene.lights.first_emissive()) {
-    for (const SpecularBall& ball : specular_balls(scene)) {
+    for (const SpecularSphere& sphere : specular_spheres(scene)) {
         for (std::size_t light = 0; light < light_count_; ++light) {
-            if (connection_importance(scene, ball, light) > 0) {
-                add_if_small(ball, light);
+            if (connection_importance(scene, sphere, light) > 0) {
+                add_if_small(sphere, light);
             }
         }
     }
 }
 
 // Estimates with a few probes how large the image is and over how many pixels it is blurred.
-void LightTracer::add_if_small(const SpecularBall& ball, std::size_t light) {
+void LightTracer::add_if_small(const SpecularSphere& sphere, std::size_t light) {
     RenderStatistics ignored;
     Extent extent;
     float area = 0;
     int found = 0;
     for (int i = 0; i < kProbes; ++i) {
         const SampleStream stream(0, 0, kRow, static_cast<std::uint32_t>(i));
-        if (const auto there = sample_splat(ball, light, stream.camera_sample(), ignored)) {
+        if (const auto there = sample_splat(sphere, light, stream.camera_sample(), ignored)) {
             extent.add(there->position);
             area += there->area;
             found += 1;
@@ -63,9 +63,9 @@ void LightTracer::add_if_small(const SpecularBall& ball, std::size_t light) {
     const bool is_point = scene_.lights.is_delta(light);
     if (is_point || (found > 0 && area < kLargestImage * static_cast<float>(found))) {
         const double pixels = found > 0 ? extent.area() : 0;
-        pairs_.push_back({ball, light, std::clamp(kPerPixel * pixels, kFewest, kMost)});
-        covered_.resize(std::max(covered_.size(), (ball.object + 1) * light_count_));
-        covered_[ball.object * light_count_ + light] = true;
+        pairs_.push_back({sphere, light, std::clamp(kPerPixel * pixels, kFewest, kMost)});
+        covered_.resize(std::max(covered_.size(), (sphere.object + 1) * light_count_));
+        covered_[sphere.object * light_count_ + light] = true;
     }
 }
 
@@ -78,7 +78,8 @@ std::vector<Splat> LightTracer::splats(std::size_t index, double samples, std::u
     std::vector<Splat> result;
     for (std::uint32_t i = 0; i < number; ++i) {
         const SampleStream stream(seed, static_cast<std::uint32_t>(index), kRow, i);
-        if (const auto there = sample_splat(pair.ball, pair.light, stream.camera_sample(), count)) {
+        if (const auto there =
+                sample_splat(pair.sphere, pair.light, stream.camera_sample(), count)) {
             result.push_back(
                 {there->position, there->flux * weight, static_cast<int>(i / in_quarter)});
         }
@@ -86,14 +87,14 @@ std::vector<Splat> LightTracer::splats(std::size_t index, double samples, std::u
     return result;
 }
 
-std::optional<LightTracer::SplatSample> LightTracer::sample_splat(const SpecularBall& ball,
+std::optional<LightTracer::SplatSample> LightTracer::sample_splat(const SpecularSphere& sphere,
                                                                   std::size_t light,
                                                                   const CameraSample& sample,
                                                                   RenderStatistics& count) const {
     // The numbers that place a camera ray in its pixel choose the light's point here.
     const ThinLensCamera::Aperture aperture = camera_.aperture(sample);
     const auto connection =
-        connect(scene_, ball, light, aperture.position, aperture.time, sample.pixel);
+        connect(scene_, sphere, light, aperture.position, aperture.time, sample.pixel);
     if (!connection) {
         return std::nullopt;
     }

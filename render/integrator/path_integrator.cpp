@@ -18,7 +18,7 @@ namespace {
 constexpr float kSurvivalInGlass = 0.95f;
 
 /// Checks the output of the kernels: the continuing paths and the light of the shadow rays.
-[[maybe_unused]] bool is_valid(const PathWave& paths) {
+[[maybe_unused]] bool is_valid(const PathQueue& paths) {
     for (int i = 0; i < paths.count; ++i) {
         if (!is_unit(paths.direction.get(i)) || !is_light(paths.throughput.get(i)) ||
             !is_finite(paths.origin.get(i)) || !(paths.pdf.at[i] >= 0)) {
@@ -28,7 +28,7 @@ constexpr float kSurvivalInGlass = 0.95f;
     return true;
 }
 
-[[maybe_unused]] bool is_valid(const ShadowWave& shadows) {
+[[maybe_unused]] bool is_valid(const ShadowQueue& shadows) {
     for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {
         if (!is_light(shadows.sum.get(vertex))) {
             return false;
@@ -47,28 +47,28 @@ struct PathIntegrator::Sample {
 };
 
 struct PathIntegrator::Wave final : Integrator::Workspace {
-    PathWave of_even_vertices, of_odd_vertices;
-    PathWave& paths() { return vertex % 2 == 0 ? of_even_vertices : of_odd_vertices; }
-    PathWave& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
-    PathWave scattered;  // to be appended to `next`
+    PathQueue of_even_vertices, of_odd_vertices;
+    PathQueue& paths() { return vertex % 2 == 0 ? of_even_vertices : of_odd_vertices; }
+    PathQueue& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
+    PathQueue scattered;  // to be appended to `next`
     int vertex = 0;
-    VertexWave vertices;
-    ShadowWave shadows;
-    SampleWave samples;
-    WaveList near_balls;
-    MissWave missed;
+    SurfaceQueue vertices;
+    ShadowQueue shadows;
+    CameraSamples samples;
+    IndexList near_spheres;
+    EscapedQueue missed;
     HitSurfaces surfaces;
-    WaveList hit_paths;  // that become vertices
+    IndexList hit_paths;  // that become vertices
     std::vector<Sample> from_camera;
     BranchSums sums;
     Floats3 mirrored;  // by path
 
     explicit Wave(const PathIntegrator& integrator)
-        : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_, kWavePaths),
+        : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_, kQueuePaths),
           sums(integrator.wave_scene_.glossy_samples) {
-        const auto reserve = [](auto&... parts) { (parts.reserve(kWavePaths), ...); };
-        reserve(of_even_vertices, of_odd_vertices, scattered, vertices, shadows, near_balls, missed,
-                hit_paths, mirrored);
+        const auto reserve = [](auto&... parts) { (parts.reserve(kQueuePaths), ...); };
+        reserve(of_even_vertices, of_odd_vertices, scattered, vertices, shadows, near_spheres,
+                missed, hit_paths, mirrored);
         samples.reserve(kWaveSamples);
     }
 
@@ -106,8 +106,8 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
 };
 
 WaveStep PathIntegrator::step_of(Wave& wave, int first, int last) const {
-    return {wave_scene_,     wave.samples, wave.paths(),   wave.vertices, wave.shadows,
-            wave.near_balls, wave.next(),  wave.scattered, first,         last};
+    return {wave_scene_,       wave.samples, wave.paths(),   wave.vertices, wave.shadows,
+            wave.near_spheres, wave.next(),  wave.scattered, first,         last};
 }
 
 PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings,
@@ -127,7 +127,7 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
     // A first vertex continues in all directions of its coat and one of its base, each of which may
     // split again.
     const int paths_of_sample = 2 * (wave_scene_.glossy_samples + 1);
-    wave_samples_ = std::min(kWaveSamples, kWavePaths / paths_of_sample);
+    wave_samples_ = std::min(kWaveSamples, kQueuePaths / paths_of_sample);
 }
 
 std::unique_ptr<Integrator::Workspace> PathIntegrator::make_workspace() const {
@@ -142,9 +142,9 @@ void PathIntegrator::samples(const CameraRun& run, float pixel_spread, RadianceS
         count.camera_rays += wave.from_camera.size();
         while (wave.paths().count > 0) {
             process_hits(wave);
-            take_step(wave, count);
-            for (int k = 0; k < wave.near_balls.count; ++k) {
-                add_caustics(wave.near_balls.at.at[k], wave, count);
+            shade_surfaces(wave, count);
+            for (int k = 0; k < wave.near_spheres.count; ++k) {
+                add_caustics(wave.near_spheres.at.at[k], wave, count);
             }
             wave.vertex += 1;
         }
@@ -167,10 +167,10 @@ RadianceSample PathIntegrator::finished(const Wave& wave, std::size_t sample) co
     return result;
 }
 
-void PathIntegrator::take_step(Wave& wave, RenderStatistics& count) const {
-    const VertexWave& vertices = wave.vertices;
-    wave.near_balls.count = 0;
-    for (PathWave* paths : {&wave.next(), &wave.scattered}) {
+void PathIntegrator::shade_surfaces(Wave& wave, RenderStatistics& count) const {
+    const SurfaceQueue& vertices = wave.vertices;
+    wave.near_spheres.count = 0;
+    for (PathQueue* paths : {&wave.next(), &wave.scattered}) {
         paths->count = 0;
         paths->vertex = wave.vertex + 1;
     }
@@ -180,7 +180,7 @@ void PathIntegrator::take_step(Wave& wave, RenderStatistics& count) const {
     }
     for (int first = 0; first < vertices.count; first = wave.shadows.last) {
         wave.shadows.begin(first, vertices.count, rays, wave_scene_.materials.transmits);
-        kernels_->take_step(step_of(wave, first, wave.shadows.last));
+        kernels_->shade_surfaces(step_of(wave, first, wave.shadows.last));
         trace_shadows(wave, count);
     }
     wave.next().append(wave.scattered);
@@ -195,7 +195,7 @@ void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave)
     for (int i = 0; i < run.count; ++i) {
         wave.from_camera.push_back({PathDimensions(run.stream(i)), run.index(i)});
     }
-    PathWave& paths = wave.paths();
+    PathQueue& paths = wave.paths();
     begin_wave(run, pixel_spread, wave.samples, paths);
     const auto fill = [&](auto& field, auto value) { std::fill_n(field.at, paths.count, value); };
     fill(paths.pdf, 0.0f);
@@ -203,19 +203,19 @@ void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave)
     fill(paths.environment_samples, 1.0f);
     fill(paths.is_delta, 1);
     fill(paths.connects, light_tracer_ != nullptr ? 1 : 0);
-    fill(paths.connected_ball, -1);
-    fill(paths.entered_ball, -1);
+    fill(paths.connected_sphere, -1);
+    fill(paths.entered_sphere, -1);
 }
 
-void PathIntegrator::look(const CameraRun& run, float pixel_spread, RadianceSample* results,
-                          Workspace* workspace) const {
+void PathIntegrator::trace_first_hits(const CameraRun& run, float pixel_spread,
+                                      RadianceSample* results, Workspace* workspace) const {
     Wave& wave = dynamic_cast<Wave&>(*workspace);
     for (int from = 0; from < run.count; from += wave_samples_) {
         begin(run.part(from, wave_samples_), pixel_spread, wave);
         process_hits(wave);
         wave.next().count = 0;
         wave.next().vertex = 1;
-        kernels_->look_into_coats(step_of(wave, 0, wave.vertices.count));
+        kernels_->trace_coats(step_of(wave, 0, wave.vertices.count));
         wave.vertex = 1;
         process_hits(wave);
         for (const Sample& sample : wave.from_camera) {
@@ -226,7 +226,7 @@ void PathIntegrator::look(const CameraRun& run, float pixel_spread, RadianceSamp
 
 // Sorts the hits: misses and vertices are collected; hits of lights are processed at once.
 void PathIntegrator::process_hits(Wave& wave) const {
-    PathWave& paths = wave.paths();
+    PathQueue& paths = wave.paths();
     const Hit* const hits = wave.surfaces.trace(paths);
     wave.vertices.has_gloss = false;
     wave.missed.paths.count = 0;
@@ -245,7 +245,7 @@ void PathIntegrator::process_hits(Wave& wave) const {
     }
     add_misses(wave);
     if (wave.vertex >= kRouletteVertex) {
-        kernels_->play_roulette(wave.samples, paths, wave.hit_paths);
+        kernels_->russian_roulette(wave.samples, paths, wave.hit_paths);
     }
     wave.surfaces.find(paths, wave.hit_paths, wave.vertices);
     end_outside_glass(wave);
@@ -268,7 +268,7 @@ void PathIntegrator::note_first_surfaces(Wave& wave) {
 
 // In the order of the paths, so that that of the groups does not matter.
 void PathIntegrator::note_mirrored_surfaces(Wave& wave) {
-    const PathWave& paths = wave.paths();
+    const PathQueue& paths = wave.paths();
     for (Floats* channel : {&wave.mirrored.x, &wave.mirrored.y, &wave.mirrored.z}) {
         std::fill_n(channel->at, paths.count, 0.0F);
     }
@@ -284,10 +284,10 @@ void PathIntegrator::note_mirrored_surfaces(Wave& wave) {
 }
 
 void PathIntegrator::add_misses(Wave& wave) const {
-    const PathWave& paths = wave.paths();
-    const WaveList& missed = wave.missed.paths;
+    const PathQueue& paths = wave.paths();
+    const IndexList& missed = wave.missed.paths;
     if (wave_scene_.sky) {
-        kernels_->find_sky(wave_scene_, paths, wave.missed);
+        kernels_->shade_background(wave_scene_, paths, wave.missed);
     }
     for (int k = 0; k < missed.count; ++k) {
         const int path = missed.at.at[k];
@@ -300,7 +300,7 @@ void PathIntegrator::add_misses(Wave& wave) const {
 // Otherwise the path has ended.
 bool PathIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
                                     Wave& wave) const {
-    if ((traits & kShines) != 0) {
+    if ((traits & kEmits) != 0) {
         add_emission(path, hit, wave);
     }
     if (wave.vertex == 0 && (traits & kHasGloss) != 0) {
@@ -313,8 +313,8 @@ bool PathIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t trait
 // roulette until it leaves the glass, whatever its number of bounces.
 void PathIntegrator::end_outside_glass(Wave& wave) const {
     constexpr int kLastVertex = static_cast<int>(PathDimensions::kVertices) - 1;
-    VertexWave& vertices = wave.vertices;
-    PathWave& paths = wave.paths();
+    SurfaceQueue& vertices = wave.vertices;
+    PathQueue& paths = wave.paths();
     vertices.some_end = wave.vertex > settings_.max_bounces;
     for (int i = 0; vertices.some_end && i < vertices.count; ++i) {
         const int path = vertices.path.at[i];
@@ -346,15 +346,16 @@ void PathIntegrator::add_hit_light(int index, const Hit& hit, Wave& wave) const 
 
 // Whether the light that the path hit after a specular reflection was sampled instead.
 bool PathIntegrator::is_sampled_as_caustic(const Path& path, const Hit& hit) const {
-    if (path.last.connected_ball < 0) {
+    if (path.last.connected_sphere < 0) {
         return false;
     }
-    const auto ball = static_cast<std::uint32_t>(path.last.connected_ball);
+    const auto sphere = static_cast<std::uint32_t>(path.last.connected_sphere);
     const std::size_t light = scene_.light_of(hit);
-    if (caustics_.refracts(ball) != path.last.passed_ball) {
+    if (caustics_.refracts(sphere) != path.last.passed_sphere) {
         return false;
     }
-    return path.vertex == 1 ? light_tracer_->covers(ball, light) : caustics_.covers(ball, light);
+    return path.vertex == 1 ? light_tracer_->covers(sphere, light)
+                            : caustics_.covers(sphere, light);
 }
 
 void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
@@ -369,8 +370,8 @@ void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
 }
 
 void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& count) const {
-    const VertexWave& vertices = wave.vertices;
-    const PathWave& paths = wave.paths();
+    const SurfaceQueue& vertices = wave.vertices;
+    const PathQueue& paths = wave.paths();
     const int index = vertices.path.at[vertex];
     const Path path = paths.path(index);
     const V3f position = vertices.position.get(vertex);
@@ -390,7 +391,7 @@ void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& coun
 }
 
 void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
-    ShadowWave& shadows = wave.shadows;
+    ShadowQueue& shadows = wave.shadows;
     if (shadows.count == 0) {
         return;
     }

@@ -34,8 +34,8 @@ class PathIntegrator final : public Integrator {
     [[nodiscard]] std::unique_ptr<Workspace> make_workspace() const override;
     void samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
                  Workspace* workspace, RenderStatistics& count) const override;
-    void look(const CameraRun& run, float pixel_spread, RadianceSample* results,
-              Workspace* workspace) const override;
+    void trace_first_hits(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                          Workspace* workspace) const override;
 
   private:
     struct Sample;
@@ -44,7 +44,7 @@ class PathIntegrator final : public Integrator {
     void begin(const CameraRun& run, float pixel_spread, Wave& wave) const;
     [[nodiscard]] RadianceSample finished(const Wave& wave, std::size_t sample) const;
     [[nodiscard]] WaveStep step_of(Wave& wave, int first, int last) const;
-    void take_step(Wave& wave, RenderStatistics& count) const;
+    void shade_surfaces(Wave& wave, RenderStatistics& count) const;
     void process_hits(Wave& wave) const;
     static void note_first_surfaces(Wave& wave);
     static void note_mirrored_surfaces(Wave& wave);

@@ -10,7 +10,7 @@
 namespace carom::render {
 
 // The pixel's cone after a bounce: a lobe of density p is about 1 / sqrt(p) wide, of which this
-// fraction counts, because several samples divide it between them. A mirror may be curved: balls
+// fraction counts, because several samples divide it between them. A mirror may be curved: spheres
 // widen what is seen in them.
 inline constexpr float kLobeFraction = 0.25f;
 inline constexpr float kWidestSpread = 0.5f;
@@ -33,10 +33,10 @@ struct LastScattering {
     float pdf = 0;          // of the direction, times the number of directions taken, 1/sr
     bool is_delta = true;   // a specular reflection or the camera: lights cannot be sampled instead
     bool connects = false;  // caustics were sampled there, or light tracing covers the camera
-    /// The ball that reflected the path after a vertex that connects; -1: none.
-    std::int64_t connected_ball = -1;
-    bool passed_ball = false;  // ... or refracted it in and out again
-    bool all_lights = false;   // every light was sampled there, rather than one
+    /// The sphere that reflected the path after a vertex that connects; -1: none.
+    std::int64_t connected_sphere = -1;
+    bool passed_sphere = false;  // ... or refracted it in and out again
+    bool all_lights = false;     // every light was sampled there, rather than one
     float total_importance = 0;
 };
 

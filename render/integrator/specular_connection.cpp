@@ -10,7 +10,7 @@
 namespace carom::render {
 namespace {
 
-/// From the ball to the point of the light.
+/// From the sphere to the point of the light.
 struct LastLeg {
     float length = 0;  // m
     float spread = 0;  // of the whole connection (specular_point.h)
@@ -18,11 +18,11 @@ struct LastLeg {
 
 // The radius of a lamp over its distance up to which connections through glass are less noisy than
 // chance hits: at 0.025 they have between all and a fiftieth of the error. At 0.08 it is ten times
-// as much near the focus of a ball, where the spread of a path has no bound.
+// as much near the focus of a sphere, where the spread of a path has no bound.
 constexpr float kSmallLamp = 0.02f;
 
 // Adds the radiance of an area light along the second leg; `connection.radiance` already holds the
-// reflectance of the ball.
+// reflectance of the sphere.
 bool from_area(const TransportScene& scene, std::size_t light, const LastLeg& leg,
                const EmitterPoint& target, SpecularConnection& connection) {
     const V3f emitted = scene.lights.emitted(light, -connection.light_direction);
@@ -57,17 +57,17 @@ bool from_point(const TransportScene& scene, std::size_t light, const LastLeg& l
     return luminance(intensity) > 0;
 }
 
-// The fraction of the way through a ball that a test for things within leaves out at either end.
+// The fraction of the way through a sphere that a test for things within leaves out at either end.
 constexpr float kInsideMargin = 2e-3f;
 
-EmitterPoint point_of(const TransportScene& scene, const SpecularBall& ball, std::size_t light,
+EmitterPoint point_of(const TransportScene& scene, const SpecularSphere& sphere, std::size_t light,
                       const V3f& centre, const V2f& u) {
     EmitterPoint target;
     if (scene.lights.is_delta(light)) {
-        target.position = scene.lights.delta_light(light).source(centre, ball.radius);
+        target.position = scene.lights.delta_light(light).source(centre, sphere.radius);
         return target;
     }
-    const auto sample = [&](const auto& e) { return e.sample_area(centre, ball.radius, u); };
+    const auto sample = [&](const auto& e) { return e.sample_area(centre, sphere.radius, u); };
     return std::visit(sample, scene.lights.area_light(light));
 }
 
@@ -79,35 +79,35 @@ bool arrives(const TransportScene& scene, std::size_t light, const LastLeg& leg,
 
 }  // namespace
 
-std::vector<SpecularBall> specular_balls(const TransportScene& scene) {
-    std::vector<SpecularBall> result;
-    for (const FrameScene::Ball& ball : scene.frame.balls()) {
-        const Material& material = scene.materials[ball.material];
+std::vector<SpecularSphere> specular_spheres(const TransportScene& scene) {
+    std::vector<SpecularSphere> result;
+    for (const FrameScene::Sphere& sphere : scene.frame.spheres()) {
+        const Material& material = scene.materials[sphere.material];
         if (material.is_mirror()) {
-            result.push_back({ball.radius, &material, ball.object, ball.centres});
+            result.push_back({sphere.radius, &material, sphere.object, sphere.centres});
         }
     }
     return result;
 }
 
-std::vector<SpecularBall> clear_balls(const TransportScene& scene) {
-    std::vector<SpecularBall> result;
-    for (const FrameScene::Ball& ball : scene.frame.balls()) {
-        const Material& material = scene.materials[ball.material];
+std::vector<SpecularSphere> clear_spheres(const TransportScene& scene) {
+    std::vector<SpecularSphere> result;
+    for (const FrameScene::Sphere& sphere : scene.frame.spheres()) {
+        const Material& material = scene.materials[sphere.material];
         if (material.is_clear_glass()) {
-            result.push_back({ball.radius, &material, ball.object, ball.centres, true});
+            result.push_back({sphere.radius, &material, sphere.object, sphere.centres, true});
         }
     }
     return result;
 }
 
-float connection_importance(const TransportScene& scene, const SpecularBall& ball,
+float connection_importance(const TransportScene& scene, const SpecularSphere& sphere,
                             std::size_t light) {
-    const V3f middle = ball.centres.center();
-    const float travel = 0.5f * ball.centres.size().length();
+    const V3f middle = sphere.centres.center();
+    const float travel = 0.5f * sphere.centres.size().length();
     const LightSet& lights = scene.lights;
     if (lights.is_delta(light)) {
-        return lights.delta_light(light).irradiance_within(middle, ball.radius + travel);
+        return lights.delta_light(light).irradiance_within(middle, sphere.radius + travel);
     }
     if (light >= lights.area_light_count()) {
         return 0;
@@ -115,20 +115,20 @@ float connection_importance(const TransportScene& scene, const SpecularBall& bal
     const auto irradiance = [&](const auto& emitter) {
         const float distance = (emitter.centre() - middle).length() - travel;
         const bool is_small =
-            !ball.refracts || emitter.radius() < kSmallLamp * (distance - ball.radius);
-        return distance > 0 && is_small && emitter.can_sample_area(distance, ball.radius)
+            !sphere.refracts || emitter.radius() < kSmallLamp * (distance - sphere.radius);
+        return distance > 0 && is_small && emitter.can_sample_area(distance, sphere.radius)
                    ? emitter.intensity() / (distance * distance)
                    : 0.0f;
     };
     return std::visit(irradiance, lights.area_light(light));
 }
 
-std::optional<SpecularConnection> connect(const TransportScene& scene, const SpecularBall& ball,
+std::optional<SpecularConnection> connect(const TransportScene& scene, const SpecularSphere& sphere,
                                           std::size_t light, const V3f& receiver, float time,
                                           const V2f& u) {
-    const V3f centre = scene.frame.centre(ball.object, time);
-    const EmitterPoint target = point_of(scene, ball, light, centre, u);
-    const auto mirror = specular_point(receiver, target.position, centre, ball.radius);
+    const V3f centre = scene.frame.centre(sphere.object, time);
+    const EmitterPoint target = point_of(scene, sphere, light, centre, u);
+    const auto mirror = specular_point(receiver, target.position, centre, sphere.radius);
     if (!mirror) {
         return std::nullopt;
     }
@@ -136,24 +136,24 @@ std::optional<SpecularConnection> connect(const TransportScene& scene, const Spe
     result.light_direction = (target.position - mirror->position) / mirror->to;
     const float size = std::max(
         {std::abs(mirror->position.x), std::abs(mirror->position.y), std::abs(mirror->position.z)});
-    result.origin = mirror->position + mirror->normal * (kOffsetFraction * (size + ball.radius));
+    result.origin = mirror->position + mirror->normal * (kOffsetFraction * (size + sphere.radius));
     result.direction = (mirror->position - receiver) / mirror->from;
     result.distance = mirror->from;
-    result.ball = ball.object;
-    result.radiance = ball.material->mirror_reflectance(mirror->cosine);
+    result.sphere = sphere.object;
+    result.radiance = sphere.material->mirror_reflectance(mirror->cosine);
     return arrives(scene, light, {mirror->to, mirror->spread}, target, result)
                ? std::optional(result)
                : std::nullopt;
 }
 
-RefractedConnections connect_through(const TransportScene& scene, const SpecularBall& ball,
+RefractedConnections connect_through(const TransportScene& scene, const SpecularSphere& sphere,
                                      std::size_t light, const V3f& receiver, float time,
                                      const V2f& u) {
-    const V3f centre = scene.frame.centre(ball.object, time);
-    const EmitterPoint target = point_of(scene, ball, light, centre, u);
-    const GlassConstants& glass = *ball.material->layers().glass;
+    const V3f centre = scene.frame.centre(sphere.object, time);
+    const EmitterPoint target = point_of(scene, sphere, light, centre, u);
+    const GlassConstants& glass = *sphere.material->layers().glass;
     const RefractedPaths paths =
-        refracted_paths(receiver, target.position, centre, ball.radius, glass.ior);
+        refracted_paths(receiver, target.position, centre, sphere.radius, glass.ior);
     RefractedConnections result;
     for (int i = 0; i < paths.count; ++i) {
         const RefractedPath& path = paths.at[static_cast<std::size_t>(i)];
@@ -165,12 +165,12 @@ RefractedConnections connect_through(const TransportScene& scene, const Specular
         outside = {};
         outside.direction = path.direction;
         outside.distance = path.from;
-        outside.ball = ball.object;
+        outside.sphere = sphere.object;
         outside.light_direction = (target.position - path.exit).normalized();
         const float size =
             std::max({std::abs(path.exit.x), std::abs(path.exit.y), std::abs(path.exit.z)});
-        const V3f normal = (path.exit - centre) / ball.radius;
-        outside.origin = path.exit + normal * (kOffsetFraction * (size + ball.radius));
+        const V3f normal = (path.exit - centre) / sphere.radius;
+        outside.origin = path.exit + normal * (kOffsetFraction * (size + sphere.radius));
         const float passes = 1 - scalar::fresnel_dielectric<scalar::One>(path.cosine, glass.ior);
         outside.radiance =
             glass.tint * glass.tint * glass.transmittance(path.inside) * (passes * passes);
@@ -197,12 +197,12 @@ bool is_occluded(const TransportScene& scene, const SpecularConnection& connecti
                  const V3f& origin, float time, RenderStatistics& count) {
     const AccelerationStructure& structure = scene.frame.structure();
     count.shadow_rays += 1;
-    // The ball itself does not occlude. Between balls that touch, the first leg may be shorter than
-    // the receiver's offset, so that the ray hits the ball before the leg's end.
+    // The sphere itself does not occlude. Between spheres that touch, the first leg may be shorter
+    // than the receiver's offset, so that the ray hits the sphere before the leg's end.
     Hit hit;
     const Ray first{origin, connection.direction, 0, connection.distance * kOneMinusShadowEpsilon,
                     time,   RayKind::shadow};
-    if (structure.closest_hit(first, hit) && hit.object != connection.ball) {
+    if (structure.closest_hit(first, hit) && hit.object != connection.sphere) {
         return true;
     }
     count.shadow_rays += 1;

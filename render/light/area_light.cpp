@@ -115,7 +115,7 @@ std::optional<LightShape> shape_of(const LightDescription& description) {
         for (int axis = 0; axis < 3; ++axis) {
             world_from_unit[3][axis] = sphere->centre[axis];
         }
-        return LightShape{ShapeKind::ball, false, V3f(static_cast<float>(sphere->radius)),
+        return LightShape{ShapeKind::sphere, false, V3f(static_cast<float>(sphere->radius)),
                           world_from_unit};
     }
     if (const auto* rectangle = std::get_if<RectangleLight>(&description.light)) {

@@ -107,7 +107,7 @@ using AreaLight = std::variant<RectangleEmitter, SphereEmitter>;
 
 /// The surface of an area light, which rays hit.
 struct LightShape {
-    ShapeKind kind = ShapeKind::ball;
+    ShapeKind kind = ShapeKind::sphere;
     bool is_one_sided = false;
     V3f half_size{1, 1, 1};  // m; 1 along an axis without extent
     Mat44 world_from_unit;

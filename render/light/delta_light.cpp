@@ -58,11 +58,11 @@ float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
     }
     // The lit region's edge is nearest in the direction of the axis.
     const auto from_axis = [](float cosine) { return arccosine(std::clamp(cosine, -1.0f, 1.0f)); };
-    const bool is_dark =
+    const bool is_black =
         light_.outer_cosine > -1 && from_axis(to_centre.dot(light_.direction) / distance) >
                                         from_axis(light_.outer_cosine) + arcsine(radius / distance);
-    return is_dark ? 0.0f
-                   : luminance(light_.power) / (light_.has_falloff ? distance * distance : 1.0f);
+    return is_black ? 0.0f
+                    : luminance(light_.power) / (light_.has_falloff ? distance * distance : 1.0f);
 }
 
 std::optional<DeltaLight> delta_light_of(const LightDescription& description) {

@@ -47,8 +47,8 @@ const EmissiveSurface* EmissiveObject::flat() const {
     return surface != nullptr ? surface->get() : nullptr;
 }
 
-bool EmissiveObject::is_dark() const {
-    return visit([](const auto& shape) { return shape.is_dark(); });
+bool EmissiveObject::is_black() const {
+    return visit([](const auto& shape) { return shape.is_black(); });
 }
 
 bool EmissiveObject::is_round() const {

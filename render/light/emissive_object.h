@@ -22,8 +22,8 @@ class EmissiveObject {
     /// The same object with the motion of its body; without one it is at rest.
     [[nodiscard]] EmissiveObject moving(std::shared_ptr<const RigidMotion> motion) const;
 
-    [[nodiscard]] bool is_dark() const;
-    /// A ball with three equal radii.
+    [[nodiscard]] bool is_black() const;
+    /// A sphere with three equal radii.
     [[nodiscard]] bool is_round() const;
 
     /// As EmissiveShape::pdf; world axes.

@@ -16,7 +16,7 @@ using scalar::One;
 
 std::optional<Kind> kind_of(const EmissiveShape::Description& shape) {
     switch (shape.kind) {
-        case ShapeKind::ball:
+        case ShapeKind::sphere:
             return shape.is_round ? Kind::sphere : Kind::ellipsoid;
         case ShapeKind::disk:
             return Kind::disk;
@@ -82,8 +82,8 @@ double set_disk(EmissiveShapeConstants& shape) {
 }
 
 double set_frustum(EmissiveShapeConstants& shape) {
-    const double middle = static_cast<double>(shape.profile.x);
-    const double slope = static_cast<double>(shape.profile.y);
+    const double middle = static_cast<double>(shape.parameters.x);
+    const double slope = static_cast<double>(shape.parameters.y);
     shape.is_symmetric = slope == 0;
     const double length = std::sqrt(1 + slope * slope);
     const double pi = static_cast<double>(kPi);
@@ -100,9 +100,9 @@ double set_rounded(EmissiveShapeConstants& shape) {
     const double pi = static_cast<double>(kPi);
     // The map of a rounded shape without shear stretches all areas alike.
     const double scale = power(static_cast<double>(shape.volume_scale), 2.0 / 3);
-    const double x = static_cast<double>(shape.profile.x);
-    const double y = static_cast<double>(shape.profile.y);
-    const double z = static_cast<double>(shape.profile.z);
+    const double x = static_cast<double>(shape.parameters.x);
+    const double y = static_cast<double>(shape.parameters.y);
+    const double z = static_cast<double>(shape.parameters.z);
     const Part parts[] = {{4 * pi, scale},     {4 * pi * x, scale}, {4 * pi * y, scale},
                           {4 * pi * z, scale}, {8 * y * z, scale},  {8 * z * x, scale},
                           {8 * x * y, scale}};
@@ -126,7 +126,8 @@ std::optional<EmissiveShape> EmissiveShape::make(const Description& shape, const
     made.sphere.centre = shape.body_from_unit.translation;
     made.sphere.radius = shape.radius;
     made.sphere.radiance = radiance;
-    made.profile = shape.kind == ShapeKind::capsule ? V3f(0, 0, shape.profile.x) : shape.profile;
+    made.parameters =
+        shape.kind == ShapeKind::capsule ? V3f(0, 0, shape.parameters.x) : shape.parameters;
     double area = 0;
     if (*kind == Kind::sphere || *kind == Kind::ellipsoid) {
         area =
@@ -147,7 +148,7 @@ std::optional<EmissiveShape> EmissiveShape::make(const Description& shape, const
     return result;
 }
 
-bool EmissiveShape::is_dark() const {
+bool EmissiveShape::is_black() const {
     return !(shape_.importance.strength > 0);
 }
 

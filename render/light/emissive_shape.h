@@ -1,4 +1,4 @@
-// An emissive disk, ball, cylinder, cone, capsule or rounded box.
+// An emissive disk, sphere, cylinder, cone, capsule or rounded box.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,20 @@
 namespace carom::render {
 
 /// A convex curved shape that emits the same radiance everywhere from its front (a disk) or
-/// outside. Balls are sampled uniformly over the cone that they subtend; ellipsoids likewise in the
-/// axes in which they are round; the others uniformly by area, on the side that faces the receiver
-/// where the shape is symmetric. All lengths and directions are in the axes of the shape's body, or
-/// in the world's for a shape that follows no track.
+/// outside. Spheres are sampled uniformly over the cone that they subtend; ellipsoids likewise in
+/// the axes in which they are round; the others uniformly by area, on the side that faces the
+/// receiver where the shape is symmetric. All lengths and directions are in the axes of the shape's
+/// body, or in the world's for a shape that follows no track.
 class EmissiveShape {
   public:
     /// What the constructor needs to know about the shape.
     struct Description {
-        ShapeKind kind = ShapeKind::ball;
-        bool is_round = false;      // a ball with three equal radii
-        float radius = 1;           // of a round ball, m
+        ShapeKind kind = ShapeKind::sphere;
+        bool is_round = false;      // a sphere with three equal radii
+        float radius = 1;           // of a round sphere, m
         Affine unit_from_body;      // the unit shape is described in shape_list.h
         Affine body_from_unit;      // its inverse
-        V3f profile{0, 0, 0};       // of the unit shape
+        V3f parameters{0, 0, 0};    // of the unit shape
         float bounding_radius = 1;  // largest distance of the surface from the body's origin, m
     };
 
@@ -31,7 +31,7 @@ class EmissiveShape {
     [[nodiscard]] static std::optional<EmissiveShape> make(const Description& shape,
                                                            const V3f& radiance);
 
-    [[nodiscard]] bool is_dark() const;
+    [[nodiscard]] bool is_black() const;
     [[nodiscard]] bool is_round() const {
         return shape_.kind == EmissiveShapeConstants::Kind::sphere;
     }

@@ -19,7 +19,7 @@ class EmissiveSurface {
     /// left out.
     EmissiveSurface(const std::vector<Triangle>& triangles, const V3f& radiance);
 
-    [[nodiscard]] bool is_dark() const { return area_ <= 0 || luminance(radiance_) <= 0; }
+    [[nodiscard]] bool is_black() const { return area_ <= 0 || luminance(radiance_) <= 0; }
 
     /// Density of the samples (1/sr) for a ray that hits the surface at `distance` with this cosine
     /// to the triangle's own normal.

@@ -100,8 +100,8 @@ V3f Environment::radiance(const V3f& direction) const {
         return scale_;
     }
     const EnvironmentPicture known = picture();
-    return scalar::sky_radiance<scalar::One>(known,
-                                             scalar::sky_place<scalar::One>(known, direction));
+    return scalar::environment_radiance<scalar::One>(
+        known, scalar::environment_uv<scalar::One>(known, direction));
 }
 
 float Environment::importance() const {

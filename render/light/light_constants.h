@@ -63,15 +63,15 @@ struct ObjectImportance {
 /// See EmissiveShape. Lengths and directions are in the axes of the object's body, or in the
 /// world's for an object that follows no track.
 struct EmissiveShapeConstants {
-    /// A round ball, a ball under an affine map, a disk, a frustum, a rounded box or capsule.
+    /// A round sphere, a sphere under an affine map, a disk, a frustum, a rounded box or capsule.
     enum class Kind : std::uint8_t { sphere, ellipsoid, disk, frustum, rounded };
     static constexpr int kMostParts = 7;
 
     Kind kind = Kind::sphere;
-    SphereConstants sphere;  // of a round ball
+    SphereConstants sphere;  // of a round sphere
     Affine unit_from_body, body_from_unit;
-    float volume_scale = 1;  // |determinant| of body_from_unit
-    V3f profile{0, 0, 0};    // of the unit shape (shape_list.h); of a capsule its core (0, 0, h)
+    float volume_scale = 1;   // |determinant| of body_from_unit
+    V3f parameters{0, 0, 0};  // of the unit shape (shape_list.h); of a capsule its core (0, 0, h)
     V3f radiance{0, 0, 0};
     /// Of each part of the surface: the sum of the probabilities up to it, and the density of the
     /// samples that face the receiver, per area of the unit shape.

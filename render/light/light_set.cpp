@@ -27,7 +27,7 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
 }
 
 void LightSet::add(std::uint32_t object, EmissiveObject emissive) {
-    if (emissive.is_dark()) {
+    if (emissive.is_black()) {
         return;
     }
     if (object >= light_of_object_.size()) {

@@ -145,7 +145,7 @@ class Model {
 
 }  // namespace
 
-V3f sky_radiance(const Sky& sky, const V3f& direction) {
+V3f environment_radiance(const Sky& sky, const V3f& direction) {
     const Model model(sky);
     return model.radiance(direction, model.height(direction));
 }

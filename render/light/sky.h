@@ -11,7 +11,7 @@ namespace carom::render {
 /// formula, fitted to simulated skies. Linear Rec.709 in W/(m^2 sr), from cd/m^2 by 179 lm/W (the
 /// efficacy of white light by the convention of Ward 1994, "The RADIANCE lighting simulation and
 /// rendering system"). The sun's disk is not included.
-[[nodiscard]] V3f sky_radiance(const Sky& sky, const V3f& direction);
+[[nodiscard]] V3f environment_radiance(const Sky& sky, const V3f& direction);
 
 /// The sky as an equirectangular picture. Below the horizon it shows the ground, a diffuse surface
 /// of the given albedo under the whole sky. Throws Error for a sun at or below the horizon or a

@@ -61,12 +61,12 @@ HWY_INLINE Vec3<hn::Vec<D>> load(D d, const FloatLanes (&lanes)[3], At at) {
 }
 
 template <class D, class At>
-HWY_INLINE Vec3<hn::Vec<D>> load_profile(D d, const MappedBlock& /*block*/, At /*at*/) {
+HWY_INLINE Vec3<hn::Vec<D>> load_parameters(D d, const MappedBlock& /*block*/, At /*at*/) {
     return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
 }
 template <class D, class At>
-HWY_INLINE Vec3<hn::Vec<D>> load_profile(D d, const ProfiledBlock& block, At at) {
-    return load(d, block.profile, at);
+HWY_INLINE Vec3<hn::Vec<D>> load_parameters(D d, const ParameterBlock& block, At at) {
+    return load(d, block.parameters, at);
 }
 
 /// test(d, ray, block, lane) of a shape in the list returns the first hits beyond ray.t_min.
@@ -81,7 +81,7 @@ struct LaneTest {
             load(d, block.map[3], lane)};
         return hit_unit_shape<Shape::kKind, L>(
             unit_from_world.ray(ray.line), ray.t_min,
-            {load_profile(d, block, lane), load(d, block.one_sided, lane)});
+            {load_parameters(d, block, lane), load(d, block.one_sided, lane)});
     }
 };
 

@@ -18,7 +18,7 @@ struct SphereLanes {
     hn::Vec<D> radius2;
 
     [[nodiscard]] HWY_INLINE LaneHits<D> hit(const RayLanes<D>& ray) const {
-        return hit_ball<VectorLanes<D>>(to_centre, ray.line.direction, radius2, ray.t_min);
+        return hit_sphere<VectorLanes<D>>(to_centre, ray.line.direction, radius2, ray.t_min);
     }
 };
 

@@ -5,7 +5,7 @@
 #include "render/geometry/kernels/maps.h"
 #include "render/geometry/kernels/body_poses.h"
 #include "render/geometry/kernels/ray_hits.h"
-#include "render/geometry/kernels/ball_hits.h"
+#include "render/geometry/kernels/sphere_hits.h"
 #include "render/geometry/kernels/box_hits.h"
 #include "render/geometry/kernels/flat_hits.h"
 #include "render/geometry/kernels/frustum.h"

@@ -49,10 +49,11 @@ CAROM_KERNEL Vec3<typename L::Value> position_at(const MotionPieces& motion,
 
 /// How the body is turned.
 template <class L>
-CAROM_KERNEL TurnOf<L> turn_at(const MotionPieces& motion, typename L::Value time) {
-    const PieceAt<L, TurnPiece> at(motion.turns, motion.turn_count, time);
-    const TurnPiece& first = *motion.turns;
-    const TurnOf<L> begin{at.place(first.world_from_body.r), at.vector(first.world_from_body.v)};
+CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, typename L::Value time) {
+    const PieceAt<L, RotationPiece> at(motion.turns, motion.rotation_count, time);
+    const RotationPiece& first = *motion.turns;
+    const RotationOf<L> begin{at.place(first.world_from_body.r),
+                              at.vector(first.world_from_body.v)};
     const auto half_angle = at.place(first.half_angle);
     const auto turns = L::is_less(L::all(0), half_angle);
     if (L::none(turns)) {
@@ -62,11 +63,12 @@ CAROM_KERNEL TurnOf<L> turn_at(const MotionPieces& motion, typename L::Value tim
         L::larger((time - at.place(first.start)) * at.place(first.inverse_duration), L::all(0)),
         L::all(1));
     const SinCosOf<L> since = sin_cos_turn<L>(fraction * half_angle * L::all(0.5f * kInversePi));
-    const TurnOf<L> all = TurnOf<L>{since.cosine, at.vector(first.axis) * since.sine} * begin;
+    const RotationOf<L> all =
+        RotationOf<L>{since.cosine, at.vector(first.axis) * since.sine} * begin;
     return {L::select(turns, all.real, begin.real), select<L>(turns, all.vector, begin.vector)};
 }
 
 template <class L>
 CAROM_KERNEL PoseOf<L> pose_at(const MotionPieces& motion, typename L::Value time) {
-    return {position_at<L>(motion, time), turn_at<L>(motion, time)};
+    return {position_at<L>(motion, time), rotation_at<L>(motion, time)};
 }

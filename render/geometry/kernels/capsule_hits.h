@@ -3,7 +3,7 @@
 /// All points within distance 1 of the segment from (0, 0, -half_length) to (0, 0, half_length).
 /// Inigo Quilez, "Intersectors" (iquilezles.org/articles/intersectors), capIntersect: if the line
 /// enters the infinite cylinder between the ends, it enters the capsule there; otherwise it enters
-/// through the ball at that end or misses. It leaves in the same way. Everything is computed from
+/// through the sphere at that end or misses. It leaves in the same way. Everything is computed from
 /// the line's point nearest to the centre, and the cylinder's discriminant from the line's distance
 /// to the axis: by Lagrange's identity b^2 - a c = a - (p x d)_z^2.
 template <class L>
@@ -25,17 +25,17 @@ CAROM_KERNEL DistanceOf<L> hit_unit_capsule(const RayOf<L>& ray, typename L::Val
     }
     const V root = L::root(L::larger(discriminant, zero));
     // The distance at which the line enters (negative root) or leaves the surface; infinite if it
-    // misses the ball at that end.
+    // misses the sphere at that end.
     const auto crossing = [&](V signed_root) CAROM_KERNEL_ATTRIBUTE {
         const V on_side = (signed_root - b) / a;
         const V z = p.z + d.z * on_side;
         const RayOf<L> from_end{{p.x, p.y, p.z - L::flip_sign(half_length, z)}, d};
         const V along = nearest_to_centre<L>(from_end, length2);
         const Vec3<V> beside = from_end.at(along);
-        const V in_ball = L::all(1) - dot(beside, beside);
-        const V half_chord = L::root(L::larger(in_ball, zero) / length2);
-        const V on_ball = along + L::flip_sign(half_chord, signed_root);
-        const V on_end = L::select(L::is_at_most(zero, in_ball), on_ball, L::all(kInfinity));
+        const V in_sphere = L::all(1) - dot(beside, beside);
+        const V half_chord = L::root(L::larger(in_sphere, zero) / length2);
+        const V on_sphere = along + L::flip_sign(half_chord, signed_root);
+        const V on_end = L::select(L::is_at_most(zero, in_sphere), on_sphere, L::all(kInfinity));
         return shift + L::select(L::is_at_most(L::size(z), half_length), on_side, on_end);
     };
     const DistanceOf<L> first =

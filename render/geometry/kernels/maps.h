@@ -46,7 +46,7 @@ CAROM_KERNEL AffineOf<L> affine_of(const Affine& map) {
 
 /// A rotation by the unit quaternion with the real part `real`.
 template <class L>
-struct TurnOf {
+struct RotationOf {
     typename L::Value real;
     Vec3<typename L::Value> vector;
 
@@ -64,7 +64,7 @@ struct TurnOf {
 
 /// First b, then a.
 template <class L>
-CAROM_KERNEL TurnOf<L> operator*(const TurnOf<L>& a, const TurnOf<L>& b) {
+CAROM_KERNEL RotationOf<L> operator*(const RotationOf<L>& a, const RotationOf<L>& b) {
     return {a.real * b.real - dot(a.vector, b.vector),
             b.vector * a.real + a.vector * b.real + cross(a.vector, b.vector)};
 }
@@ -73,7 +73,7 @@ CAROM_KERNEL TurnOf<L> operator*(const TurnOf<L>& a, const TurnOf<L>& b) {
 template <class L>
 struct PoseOf {
     Vec3<typename L::Value> position;
-    TurnOf<L> turn;
+    RotationOf<L> turn;
 
     /// A ray of the world in the axes of the body.
     [[nodiscard]] CAROM_KERNEL RayOf<L> in_body(const RayOf<L>& ray) const {

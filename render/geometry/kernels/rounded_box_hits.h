@@ -89,9 +89,9 @@ class RoundedBoxLineOf {
         const V length2 = dot(counted.direction, counted.direction);
         const V middle = nearest_to_centre<L>(counted, length2);
         const Vec3<V> beside = counted.at(middle);
-        const V in_ball = L::all(1) - dot(beside, beside);
-        const V half_chord = L::root(L::larger(in_ball, zero) / length2);
-        return L::select(L::is_at_most(zero, in_ball), middle + in_or_out * half_chord,
+        const V in_sphere = L::all(1) - dot(beside, beside);
+        const V half_chord = L::root(L::larger(in_sphere, zero) / length2);
+        return L::select(L::is_at_most(zero, in_sphere), middle + in_or_out * half_chord,
                          L::all(kInfinity));
     }
 

@@ -1,4 +1,4 @@
-// Points on the shapes of a scene in lanes: balls, boxes along the axes, and unit shapes under
+// Points on the shapes of a scene in lanes: spheres, boxes along the axes, and unit shapes under
 // affine maps, at rest or moving with a body. Included as render/lanes/kernels/vectors.h is.
 
 /// What a texture needs to know: `object_position` if there is one, uv and its lengths if it is an
@@ -8,12 +8,12 @@ struct TextureNeeds {
     bool uv = false;
 };
 
-/// The point of a ball around `centre` that a ray hits at distance t, without the place on its
+/// The point of a sphere around `centre` that a ray hits at distance t, without the place on its
 /// texture.
 template <class L>
-CAROM_KERNEL SurfacePointOf<L> point_on_ball(const RayOf<L>& ray, typename L::Value t,
-                                             const Vec3<typename L::Value>& centre,
-                                             typename L::Value radius) {
+CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const RayOf<L>& ray, typename L::Value t,
+                                               const Vec3<typename L::Value>& centre,
+                                               typename L::Value radius) {
     const Vec3<typename L::Value> normal = unit<L>((ray.origin - centre) + ray.direction * t);
     SurfacePointOf<L> point;
     point.position = centre + normal * radius;
@@ -23,11 +23,11 @@ CAROM_KERNEL SurfacePointOf<L> point_on_ball(const RayOf<L>& ray, typename L::Va
     return point;
 }
 
-/// Sets the place on a ball's texture. `arm`: from the centre to the point, in the body's axes.
+/// Sets the place on a sphere's texture. `arm`: from the centre to the point, in the body's axes.
 template <class L>
-CAROM_KERNEL void set_place_on_ball(const AffineOf<L>& metres_from_body,
-                                    const Vec3<typename L::Value>& arm, typename L::Value radius,
-                                    TextureNeeds needs, SurfacePointOf<L>& point) {
+CAROM_KERNEL void set_place_on_sphere(const AffineOf<L>& metres_from_body,
+                                      const Vec3<typename L::Value>& arm, typename L::Value radius,
+                                      TextureNeeds needs, SurfacePointOf<L>& point) {
     if (needs.position) {
         point.object_position = metres_from_body.vector(arm);
     }
@@ -72,9 +72,9 @@ CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, typenam
 template <class L>
 struct MappedShapeOf {
     AffineOf<L> unit_from_body, body_from_unit;
-    AffineOf<L> metres_from_body;       // only for textures
-    Vec3<typename L::Value> half_size;  // lengths of the unit shape's axes, m; only for uv
-    Vec3<typename L::Value> profile;    // see UnitHitOf
+    AffineOf<L> metres_from_body;        // only for textures
+    Vec3<typename L::Value> half_size;   // lengths of the unit shape's axes, m; only for uv
+    Vec3<typename L::Value> parameters;  // see UnitHitOf
 };
 
 /// The point of a unit shape that a ray hits; ray and point in the axes of the body.
@@ -83,7 +83,7 @@ CAROM_KERNEL SurfacePointOf<L> point_on_shape(ShapeKind kind, const MappedShapeO
                                               const RayOf<L>& ray, typename L::Value t,
                                               TextureNeeds needs) {
     const UnitPointOf<L> on_unit = on_unit_shape<L>(
-        kind, {shape.unit_from_body.ray(ray), t, shape.profile, shape.half_size, needs.uv});
+        kind, {shape.unit_from_body.ray(ray), t, shape.parameters, shape.half_size, needs.uv});
     SurfacePointOf<L> point;
     point.position = shape.body_from_unit.point(on_unit.position);
     point.geometric_normal = unit<L>(shape.unit_from_body.inverse_normal(on_unit.normal));

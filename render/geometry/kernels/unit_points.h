@@ -6,8 +6,8 @@ template <class L>
 struct UnitHitOf {
     RayOf<L> ray;  // in the axes of the unit shape
     typename L::Value t;
-    Vec3<typename L::Value> profile;    // what an affine map cannot produce (shape_list.h)
-    Vec3<typename L::Value> half_size;  // lengths of the unit shape's axes, m; only for uv
+    Vec3<typename L::Value> parameters;  // what an affine map cannot produce (shape_list.h)
+    Vec3<typename L::Value> half_size;   // lengths of the unit shape's axes, m; only for uv
     bool needs_uv;
 };
 
@@ -26,7 +26,7 @@ CAROM_KERNEL Vec2<typename L::Value> no_uv() {
 }
 
 template <class L>
-CAROM_KERNEL UnitPointOf<L> on_unit_ball(const UnitHitOf<L>& hit) {
+CAROM_KERNEL UnitPointOf<L> on_unit_sphere(const UnitHitOf<L>& hit) {
     const Vec3<typename L::Value> n = unit<L>(hit.ray.at(hit.t));
     UnitPointOf<L> point{n, n, no_uv<L>(), no_uv<L>()};
     if (hit.needs_uv) {
@@ -107,7 +107,7 @@ struct FrustumFaceOf {
 
     CAROM_KERNEL explicit FrustumFaceOf(const UnitHitOf<L>& hit) {
         using Crossings = FrustumCrossingsOf<L>;
-        const Crossings crossings = cross_frustum<L>(hit.ray, hit.profile.x, hit.profile.y);
+        const Crossings crossings = cross_frustum<L>(hit.ray, hit.parameters.x, hit.parameters.y);
         auto least = L::all(kInfinity);
         const auto is_nearest = [&](int face) CAROM_KERNEL_ATTRIBUTE {
             const auto difference = L::size(crossings.t[face] - hit.t);
@@ -128,7 +128,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
     using V = typename L::Value;
     const V zero = L::all(0);
     const V one = L::all(1);
-    const V slope = hit.profile.y;
+    const V slope = hit.parameters.y;
     const FrustumFaceOf<L> face(hit);
     const Vec3<V> p = hit.ray.at(hit.t);
     const V from_axis = L::root(p.x * p.x + p.y * p.y);
@@ -136,7 +136,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
     const V divisor = L::select(off_axis, from_axis, one);
     const V end = L::select(face.is_top, one, L::all(-1));
     const V z = L::select(face.is_cap, end, limited<L>(p.z, -1, 1));
-    const V radius = hit.profile.x + slope * z;
+    const V radius = hit.parameters.x + slope * z;
     const V inwards = L::select(L::is_less(radius, from_axis), radius / divisor, one);
     const V out_x = L::select(off_axis, p.x / divisor, one);
     const V out_y = L::select(off_axis, p.y / divisor, zero);
@@ -165,7 +165,7 @@ template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_capsule(const UnitHitOf<L>& hit) {
     using V = typename L::Value;
     const V zero = L::all(0);
-    const V half_length = hit.profile.x;
+    const V half_length = hit.parameters.x;
     const Vec3<V> p = hit.ray.at(hit.t);
     const V height = L::smaller(L::larger(p.z, L::opposite_sign(half_length)), half_length);
     const Vec3<V> on_axis{zero, zero, height};
@@ -187,7 +187,7 @@ template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_rounded_box(const UnitHitOf<L>& hit) {
     using V = typename L::Value;
     const V one = L::all(1);
-    const Vec3<V>& core = hit.profile;
+    const Vec3<V>& core = hit.parameters;
     const Vec3<V> p = hit.ray.at(hit.t);
     const auto within = [](V x, V limit) CAROM_KERNEL_ATTRIBUTE {
         return L::smaller(L::larger(x, L::opposite_sign(limit)), limit);
@@ -213,8 +213,8 @@ CAROM_KERNEL UnitPointOf<L> on_unit_rounded_box(const UnitHitOf<L>& hit) {
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_shape(ShapeKind kind, const UnitHitOf<L>& hit) {
     switch (kind) {
-        case ShapeKind::ball:
-            return on_unit_ball<L>(hit);
+        case ShapeKind::sphere:
+            return on_unit_sphere<L>(hit);
         case ShapeKind::box:
             return on_unit_box<L>(hit);
         case ShapeKind::rectangle:

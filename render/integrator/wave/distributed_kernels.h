@@ -2,7 +2,7 @@
 // processor has.
 #pragma once
 
-#include "render/integrator/wave/path_wave.h"
+#include "render/integrator/wave/path_queues.h"
 #include "render/integrator/wave/wave_scene.h"
 
 namespace carom::render {
@@ -41,10 +41,10 @@ struct DistributedStep {
     const WaveNumberTable& models;  // ClassicOf, by material
     float ambient;                  // radiance
     DistributedCounts counts;
-    const SampleWave& samples;
-    const PathWave& rays;  // their branch is the ray's place in the tree
-    const VertexWave& vertices;
-    ShadowWave& shadows;
+    const CameraSamples& samples;
+    const PathQueue& rays;  // their branch is the ray's place in the tree
+    const SurfaceQueue& vertices;
+    ShadowQueue& shadows;
     Floats3& own;  // by vertex: light that its surface emits, and scatters of the ambient light
     LobeWave& reflection;
     LobeWave& refraction;
@@ -56,7 +56,7 @@ struct DistributedKernels {
     /// Fills `reflection` and `refraction`.
     void (*find_lobes)(const DistributedStep& step);
     /// Appends to `next` the `k`th rays of a lobe.
-    void (*send)(const DistributedStep& step, const LobeWave& lobe, int k, PathWave& next);
+    void (*send)(const DistributedStep& step, const LobeWave& lobe, int k, PathQueue& next);
 };
 
 [[nodiscard]] const DistributedKernels& best_distributed_kernels();

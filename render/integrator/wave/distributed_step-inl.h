@@ -42,7 +42,7 @@ HWY_INLINE Classic models_of(const WaveNumberTable& models, I material) {
 }
 
 HWY_INLINE DistributedLanes distributed_vertices_at(const DistributedStep& step, int first) {
-    const VertexWave& in = step.vertices;
+    const SurfaceQueue& in = step.vertices;
     const IntTag di;
     const M valid = hn::FirstN(FloatTag(), static_cast<std::size_t>(in.count - first));
     // Lanes beyond the last vertex have the material of the first one.
@@ -78,12 +78,12 @@ HWY_INLINE int shade_by_light(const DistributedStep& step, const DistributedLane
             sample(step.scene, light, place, lattice_point<Lanes>(u, j, count));
         const M is_above = hn::And(hn::Gt(dot(v.normal, found.direction), all(0.f)),
                                    hn::Gt(dot(v.geometric_normal, found.direction), all(0.f)));
-        const M shines = hn::And(hn::And(v.valid, found.valid), is_above);
+        const M emits = hn::And(hn::And(v.valid, found.valid), is_above);
         const F3 scattered =
             classic_towards<Lanes>(v.model, v.base, v.normal, v.wo, found.direction);
         const F3 value = v.throughput * scattered * found.radiance * (share / found.pdf);
         put_rays(step.shadows, k, v.first, found, value,
-                 hn::And(shines, hn::Gt(largest(value), all(0.f))));
+                 hn::And(emits, hn::Gt(largest(value), all(0.f))));
     }
     return k;
 }
@@ -190,7 +190,7 @@ inline HWY_ATTR void find_lobes(const DistributedStep& step) {
 }
 
 inline HWY_ATTR void send_rays(const DistributedStep& step, const LobeWave& lobe, int k,
-                               PathWave& next) {
+                               PathQueue& next) {
     const IntTag di;
     for (int first = 0; first < step.vertices.count; first += lane_count()) {
         const M wanted =
@@ -229,10 +229,10 @@ inline HWY_ATTR void send_rays(const DistributedStep& step, const LobeWave& lobe
         store_some(direction, goes, next.direction, at);
         store_some(v.time, goes, next.time, at);
         store_some(load(lobe.colour, first) * ray.weight, goes, next.throughput, at);
-        store_some(width + cone * load(step.vertices.distance, first), goes, next.width, at);
+        store_some(width + cone * load(step.vertices.distance, first), goes, next.cone_width, at);
         const F mirrored = hn::Min(cone * all(kMirrorSpread), all(kWidestSpread));
         const F widened = hn::Min(hn::Max(spread, cone), all(kWidestSpread));
-        store_some(select(spreads, widened, mirrored), goes, next.spread, at);
+        store_some(select(spreads, widened, mirrored), goes, next.cone_spread, at);
         next.count += goes.count();
     }
 }

@@ -5,7 +5,8 @@
 
 namespace carom::render {
 
-void begin_wave(const CameraRun& run, float pixel_spread, SampleWave& samples, PathWave& paths) {
+void begin_wave(const CameraRun& run, float pixel_spread, CameraSamples& samples,
+                PathQueue& paths) {
     paths.count = run.count;
     paths.vertex = 0;
     const CameraBatch& batch = *run.batch;
@@ -26,8 +27,8 @@ void begin_wave(const CameraRun& run, float pixel_spread, SampleWave& samples, P
     for (Floats* channel : {&paths.throughput.x, &paths.throughput.y, &paths.throughput.z}) {
         std::fill_n(channel->at, paths.count, 1.0F);
     }
-    std::fill_n(paths.width.at, paths.count, 0.0F);
-    std::fill_n(paths.spread.at, paths.count, pixel_spread);
+    std::fill_n(paths.cone_width.at, paths.count, 0.0F);
+    std::fill_n(paths.cone_spread.at, paths.count, pixel_spread);
 }
 
 HitSurfaces::HitSurfaces(const TransportScene& scene, const WaveScene& wave_scene,
@@ -36,15 +37,15 @@ HitSurfaces::HitSurfaces(const TransportScene& scene, const WaveScene& wave_scen
       wave_scene_(wave_scene),
       kernels_(kernels),
       hits_(static_cast<std::size_t>(most_paths + Floats::kBeyond)) {
-    turns_.reserve(most_paths);
+    rotations_.reserve(most_paths);
 }
 
-const Hit* HitSurfaces::trace(const PathWave& paths) {
+const Hit* HitSurfaces::trace(const PathQueue& paths) {
     scene_.frame.structure().closest_hits(paths.rays(), hits_.data());
     return hits_.data();
 }
 
-void HitSurfaces::find(PathWave& paths, const WaveList& hit_paths, VertexWave& vertices) {
+void HitSurfaces::find(PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices) {
     sort(hit_paths, vertices);
     int first = 0;
     for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
@@ -52,15 +53,15 @@ void HitSurfaces::find(PathWave& paths, const WaveList& hit_paths, VertexWave& v
         const int last = group_ends_[k];
         if (first < last) {
             find_poses(group, first, last, paths, vertices);
-            kernels_.find_surfaces(
-                {wave_scene_, group, paths, hits_.data(), turns_, vertices, first, last});
+            kernels_.resolve_surfaces(
+                {wave_scene_, group, paths, hits_.data(), rotations_, vertices, first, last});
         }
         first = last;
     }
 }
 
 // Makes vertices of the hits, one group after the other, in each of them in the order of the paths.
-void HitSurfaces::sort(const WaveList& hit_paths, VertexWave& vertices) {
+void HitSurfaces::sort(const IndexList& hit_paths, SurfaceQueue& vertices) {
     const WaveGroups& groups = wave_scene_.groups;
     std::vector<int>& ends = group_ends_;
     ends.assign(groups.groups.size() + 1, 0);
@@ -83,20 +84,20 @@ void HitSurfaces::sort(const WaveList& hit_paths, VertexWave& vertices) {
     }
 }
 
-void HitSurfaces::find_poses(const WaveGroup& group, int first, int last, const PathWave& paths,
-                             VertexWave& vertices) {
+void HitSurfaces::find_poses(const WaveGroup& group, int first, int last, const PathQueue& paths,
+                             SurfaceQueue& vertices) {
     if (!group.moves) {
         return;
     }
-    const bool turns = group.kind != WaveGroup::Kind::ball || group.has_texture;
+    const bool rotates = group.kind != WaveGroup::Kind::sphere || group.has_texture;
     for (int i = first; i < last; ++i) {
         const auto object = static_cast<std::uint32_t>(vertices.object.at[i]);
         const float time = paths.time.at[vertices.path.at[i]];
         vertices.position.set(i, scene_.frame.centre(object, time));
-        if (turns) {
-            const Imath::Quatf turn = scene_.frame.world_from_body(object, time);
-            turns_.real.at[i] = turn.r;
-            turns_.vector.set(i, turn.v);
+        if (rotates) {
+            const Imath::Quatf rotation = scene_.frame.world_from_body(object, time);
+            rotations_.real.at[i] = rotation.r;
+            rotations_.vector.set(i, rotation.v);
         }
     }
 }

@@ -11,7 +11,7 @@ namespace carom::render {
 
 /// Starts a wave with the camera rays of a run, which has at most kWaveSamples. Sets what every
 /// integrator needs: slot, branch (1), rays, throughput, width and spread.
-void begin_wave(const CameraRun& run, float pixel_spread, SampleWave& samples, PathWave& paths);
+void begin_wave(const CameraRun& run, float pixel_spread, CameraSamples& samples, PathQueue& paths);
 
 /// Finds hits and makes vertices of them. For one thread.
 class HitSurfaces {
@@ -21,20 +21,20 @@ class HitSurfaces {
                 const WaveKernels& kernels, int most_paths);
 
     /// The next hits of all paths, by path.
-    const Hit* trace(const PathWave& paths);
+    const Hit* trace(const PathQueue& paths);
     /// Completes the vertices of some paths that hit a surface, in the order of their groups.
-    void find(PathWave& paths, const WaveList& hit_paths, VertexWave& vertices);
+    void find(PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices);
 
   private:
-    void sort(const WaveList& hit_paths, VertexWave& vertices);
-    void find_poses(const WaveGroup& group, int first, int last, const PathWave& paths,
-                    VertexWave& vertices);
+    void sort(const IndexList& hit_paths, SurfaceQueue& vertices);
+    void find_poses(const WaveGroup& group, int first, int last, const PathQueue& paths,
+                    SurfaceQueue& vertices);
 
     const TransportScene& scene_;
     const WaveScene& wave_scene_;
     const WaveKernels& kernels_;
     std::vector<Hit> hits_;
-    TurnWave turns_;
+    RotationQueue rotations_;
     std::vector<int> group_ends_;  // in the vertices
 };
 

@@ -26,29 +26,29 @@ struct PlaceLanes {
 
 /// The body of an emissive object at each path's time.
 struct BodyLanes {
-    bool moves, turns;
+    bool moves, rotates;
     F3 position;
-    TurnOf<Lanes> turn;
+    RotationOf<Lanes> rotation;
 
     [[nodiscard]] HWY_INLINE F3 vector(const F3& world) const {
-        return turns ? turn.undo(world) : world;
+        return rotates ? rotation.undo(world) : world;
     }
     [[nodiscard]] HWY_INLINE F3 point(const F3& world) const {
         return moves ? vector(world - position) : world;
     }
     [[nodiscard]] HWY_INLINE F3 to_world(const F3& vector) const {
-        return turns ? turn.apply(vector) : vector;
+        return rotates ? rotation.apply(vector) : vector;
     }
 };
 
 HWY_INLINE BodyLanes body_at(const WaveLight& light, F time) {
     BodyLanes body{
-        light.motion != nullptr, light.turns(), all(V3f(0, 0, 0)), {all(1.f), all(V3f(0, 0, 0))}};
+        light.motion != nullptr, light.rotates(), all(V3f(0, 0, 0)), {all(1.f), all(V3f(0, 0, 0))}};
     if (body.moves) {
         body.position = position_at<Lanes>(light.motion->pieces(), time);
     }
-    if (body.turns) {
-        body.turn = turn_at<Lanes>(light.motion->pieces(), time);
+    if (body.rotates) {
+        body.rotation = rotation_at<Lanes>(light.motion->pieces(), time);
     }
     return body;
 }
@@ -79,8 +79,8 @@ HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const PlaceLa
 }
 
 HWY_INLINE LightLanes sample_environment(const EnvironmentPicture& sky, const V2& u) {
-    const SkySampleOf<Lanes> found = sample_sky<Lanes>(sky, u);
-    return {found.direction, all(kInfinity), found.pdf, sky_radiance<Lanes>(sky, found.uv),
+    const EnvironmentSampleOf<Lanes> found = sample_environment_map<Lanes>(sky, u);
+    return {found.direction, all(kInfinity), found.pdf, environment_radiance<Lanes>(sky, found.uv),
             found.valid};
 }
 
@@ -121,7 +121,7 @@ HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const Pl
 
 /// Writes the `k`th shadow ray of vertices: `radiance` arrives in the lanes `is_lit` unless
 /// occluded.
-HWY_INLINE void put_rays(ShadowWave& out, int k, int first, const LightLanes& light,
+HWY_INLINE void put_rays(ShadowQueue& out, int k, int first, const LightLanes& light,
                          const F3& radiance, M is_lit) {
     const std::size_t at = out.place(k, first);
     const auto put = [at](F number, std::vector<float>& numbers)

@@ -8,13 +8,14 @@ HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 /// PathDimensions::vertex_index.
-HWY_INLINE U vertex_index_of(const PathWave& paths, I path) {
+HWY_INLINE U vertex_index_of(const PathQueue& paths, I path) {
     static_assert(PathDimensions::kVertices == 1u << 7);
     const I index = hn::ShiftLeft<7>(gather(paths.branch, path)) + hn::Set(IntTag(), paths.vertex);
     return hn::BitCast(WordTag(), index);
 }
 
-inline HWY_ATTR void play_roulette(const SampleWave& samples, PathWave& paths, WaveList& reached) {
+inline HWY_ATTR void russian_roulette(const CameraSamples& samples, PathQueue& paths,
+                                      IndexList& reached) {
     const FloatTag d;
     int survivors = 0;
     for (int first = 0; first < reached.count; first += lane_count()) {

@@ -17,15 +17,15 @@ namespace carom::render::HWY_NAMESPACE {
 struct ScatterLanes {
     F3 origin, direction;
     F3 weight;
-    F pdf, spread;
+    F pdf, cone_spread;
     I branch;
-    I is_delta, connects, ball;
-    I entered_ball;
+    I is_delta, connects, sphere;
+    I entered_sphere;
 };
 
 /// What continues from the vertices whatever their directions.
 struct ContinuingLanes {
-    F width, spread;
+    F cone_width, cone_spread;
     I branch;
     M by_chance;   // either the coat or the base is followed
     M takes_coat;  // the coat, by chance
@@ -33,7 +33,7 @@ struct ContinuingLanes {
 
 /// Appends the lanes in `goes` to `next`.
 HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const ScatterLanes& ray,
-                        F width, const PackedLanes& goes, PathWave& next) {
+                        F width, const PackedLanes& goes, PathQueue& next) {
     const int at = next.count;
     store_some(gather(step.paths.slot, v.path), goes, next.slot, at);
     store_some(ray.branch, goes, next.branch, at);
@@ -41,8 +41,8 @@ HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Scatte
     store_some(ray.direction, goes, next.direction, at);
     store_some(gather(step.paths.time, v.path), goes, next.time, at);
     store_some(v.throughput * ray.weight, goes, next.throughput, at);
-    store_some(width, goes, next.width, at);
-    store_some(ray.spread, goes, next.spread, at);
+    store_some(width, goes, next.cone_width, at);
+    store_some(ray.cone_spread, goes, next.cone_spread, at);
     store_some(v.position, goes, next.last_position, at);
     store_some(v.bsdf.frame.z, goes, next.last_normal, at);
     store_some(ray.pdf, goes, next.pdf, at);
@@ -50,43 +50,44 @@ HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Scatte
     store_some(v.environment_samples, goes, next.environment_samples, at);
     store_some(ray.is_delta, goes, next.is_delta, at);
     store_some(ray.connects, goes, next.connects, at);
-    store_some(ray.ball, goes, next.connected_ball, at);
+    store_some(ray.sphere, goes, next.connected_sphere, at);
     if (step.scene.materials.transmits) {
-        store_some(ray.entered_ball, goes, next.entered_ball, at);
+        store_some(ray.entered_sphere, goes, next.entered_sphere, at);
     }
     next.count += goes.count();
 }
 
-/// Caustics are sampled for paths of a broad lobe followed by one specular reflection on a ball, or
-/// by the two refractions of a path through it.
-HWY_INLINE void set_balls(const WaveStep& step, const VertexLanes& v, const DirectionOf<Lanes>& to,
-                          ScatterLanes& ray) {
+/// Caustics are sampled for paths of a broad lobe followed by one specular reflection on a sphere,
+/// or by the two refractions of a path through it.
+HWY_INLINE void set_spheres(const WaveStep& step, const VertexLanes& v,
+                            const DirectionOf<Lanes>& to, ScatterLanes& ray) {
     const IntTag di;
     const I none = hn::Set(di, -1);
     const I object = load(step.vertices.object, v.first);
     const M connected = is_equal(gather(step.paths.connects, v.path), hn::Set(di, 1));
     const M reflects = hn::AndNot(to.passes, to.is_delta);
-    ray.ball = hn::IfThenElse(hn::RebindMask(di, hn::And(reflects, connected)), object, none);
-    ray.entered_ball = none;
+    ray.sphere = hn::IfThenElse(hn::RebindMask(di, hn::And(reflects, connected)), object, none);
+    ray.entered_sphere = none;
     if (!step.scene.materials.transmits) {
         return;
     }
     const M refracts = hn::And(to.passes, to.is_delta);
     const M is_inside =
         hn::AndNot(is_equal(load(step.vertices.from_behind, v.first), hn::Zero(di)), refracts);
-    const M leaves = hn::And(is_inside, is_equal(gather(step.paths.entered_ball, v.path), object));
-    ray.ball = hn::IfThenElse(hn::RebindMask(di, leaves),
-                              hn::Or(object, hn::Set(di, PathWave::kPassedBall)), ray.ball);
+    const M leaves =
+        hn::And(is_inside, is_equal(gather(step.paths.entered_sphere, v.path), object));
+    ray.sphere = hn::IfThenElse(hn::RebindMask(di, leaves),
+                                hn::Or(object, hn::Set(di, PathQueue::kPassedSphere)), ray.sphere);
     const M enters =
         step.paths.vertex > 0 ? hn::And(hn::AndNot(is_inside, refracts), connected) : no_lanes();
-    ray.entered_ball = hn::IfThenElse(hn::RebindMask(di, enters), object, none);
+    ray.entered_sphere = hn::IfThenElse(hn::RebindMask(di, enters), object, none);
 }
 
 /// Appends the directions that are on the right side of the surface and carry light. `samples`: the
 /// number of directions taken of the part.
 HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const ContinuingLanes& from,
                         const DirectionOf<Lanes>& to, I branch, F samples, M wanted, bool connects,
-                        PathWave& next) {
+                        PathQueue& next) {
     const IntTag di;
     const I zero = hn::Zero(di);
     const I one = hn::Set(di, 1);
@@ -97,8 +98,9 @@ HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Contin
     ray.weight = to.weight * (all(1.f) / samples);
     ray.pdf = to.pdf * samples;
     const F lobe = hn::Min(all(kLobeFraction) / hn::Sqrt(to.pdf), all(kWidestSpread));
-    ray.spread = select(to.is_delta, hn::Min(from.spread * all(kMirrorSpread), all(kWidestSpread)),
-                        hn::Max(from.spread, lobe));
+    ray.cone_spread =
+        select(to.is_delta, hn::Min(from.cone_spread * all(kMirrorSpread), all(kWidestSpread)),
+               hn::Max(from.cone_spread, lobe));
     ray.branch = branch;
     const auto is_delta = hn::RebindMask(di, to.is_delta);
     ray.is_delta = hn::IfThenElse(is_delta, one, zero);
@@ -107,24 +109,24 @@ HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Contin
         ray.connects =
             hn::IfThenElseZero(hn::RebindMask(di, hn::AndNot(to.is_delta, v.connects)), one);
     }
-    set_balls(step, v, to, ray);
+    set_spheres(step, v, to, ray);
     const M agrees = hn::Or(hn::AndNot(to.passes, side.is_above), hn::And(to.passes, side.passes));
-    const M shines = hn::Gt(largest(ray.weight), all(0.f));
-    const M goes = hn::And(hn::And(wanted, to.valid), hn::And(agrees, shines));
+    const M emits = hn::Gt(largest(ray.weight), all(0.f));
+    const M goes = hn::And(hn::And(wanted, to.valid), hn::And(agrees, emits));
     if (!hn::AllFalse(FloatTag(), goes)) {
-        proceed(step, v, ray, from.width, PackedLanes(goes), next);
+        proceed(step, v, ray, from.cone_width, PackedLanes(goes), next);
     }
 }
 
 /// `u`: the number by which coat or base is chosen.
 HWY_INLINE ContinuingLanes continuing(const WaveStep& step, const VertexLanes& v, F u) {
     ContinuingLanes from;
-    from.spread = gather(step.paths.spread, v.path);
-    from.width =
-        gather(step.paths.width, v.path) + from.spread * load(step.vertices.distance, v.first);
+    from.cone_spread = gather(step.paths.cone_spread, v.path);
+    from.cone_width = gather(step.paths.cone_width, v.path) +
+                      from.cone_spread * load(step.vertices.distance, v.first);
     from.branch = gather(step.paths.branch, v.path);
     from.by_chance = hn::AndNot(v.splits, v.valid);
-    from.takes_coat = hn::And(from.by_chance, hn::Lt(u, v.bsdf.lobes.coat_choice));
+    from.takes_coat = hn::And(from.by_chance, hn::Lt(u, v.bsdf.lobes.coat_probability));
     return from;
 }
 

@@ -39,23 +39,23 @@ HWY_INLINE TextureNeeds needs_of(const WaveGroup& group) {
     return {group.has_texture, group.needs_uv};
 }
 
-HWY_INLINE TurnOf<Lanes> turns_of(const SurfaceTask& task, const HitLanes& hit) {
-    return {gather(task.turns.real, hit.vertex), gather(task.turns.vector, hit.vertex)};
+HWY_INLINE RotationOf<Lanes> turns_of(const SurfaceTask& task, const HitLanes& hit) {
+    return {gather(task.rotations.real, hit.vertex), gather(task.rotations.vector, hit.vertex)};
 }
 
-HWY_INLINE PointLanes on_balls(const SurfaceTask& task, const HitLanes& hit) {
+HWY_INLINE PointLanes on_spheres(const SurfaceTask& task, const HitLanes& hit) {
     const WaveShapes& shapes = task.scene.groups.shapes;
     const F3 centre = task.group.moves ? gather(task.vertices.position, hit.vertex)
                                        : gather(shapes.world_from_unit.translation, hit.object);
     const F radius = gather(shapes.half_size.x, hit.object);
-    PointLanes point = point_on_ball<Lanes>(hit.ray, hit.distance, centre, radius);
+    PointLanes point = point_on_sphere<Lanes>(hit.ray, hit.distance, centre, radius);
     if (task.group.has_texture) {
         F3 arm = point.geometric_normal * radius;
         if (task.group.moves) {
             arm = turns_of(task, hit).undo(arm);
         }
-        set_place_on_ball<Lanes>(gather(shapes.metres_from_world, hit.object), arm, radius,
-                                 needs_of(task.group), point);
+        set_place_on_sphere<Lanes>(gather(shapes.metres_from_world, hit.object), arm, radius,
+                                   needs_of(task.group), point);
     }
     return point;
 }
@@ -83,7 +83,7 @@ inline HWY_NOINLINE HWY_ATTR PointLanes on_shapes(const SurfaceTask& task, const
     if (task.group.needs_uv) {
         shape.half_size = gather(shapes.half_size, hit.object);
     }
-    shape.profile = gather(shapes.profile, hit.object);
+    shape.parameters = gather(shapes.parameters, hit.object);
     return point_on_shape<Lanes>(task.group.shape, shape, ray, hit.distance, needs_of(task.group));
 }
 
@@ -112,8 +112,8 @@ HWY_INLINE PointLanes points_in_body(const SurfaceTask& task, const HitLanes& hi
 }
 
 HWY_INLINE PointLanes points_at(const SurfaceTask& task, const HitLanes& hit) {
-    if (task.group.kind == WaveGroup::Kind::ball) {
-        return on_balls(task, hit);
+    if (task.group.kind == WaveGroup::Kind::sphere) {
+        return on_spheres(task, hit);
     }
     if (task.group.kind == WaveGroup::Kind::box) {
         return on_boxes(task, hit);
@@ -139,16 +139,16 @@ HWY_INLINE void absorb(const SurfaceTask& task, const HitLanes& hit, M from_behi
     put(throughput.z, rate.z, task.paths.throughput.z);
 }
 
-inline HWY_ATTR void find_surfaces(const SurfaceTask& task) {
+inline HWY_ATTR void resolve_surfaces(const SurfaceTask& task) {
     const WaveGroup& group = task.group;
-    VertexWave& vertices = task.vertices;
+    SurfaceQueue& vertices = task.vertices;
     for (int i = task.first; i < task.last; i += lane_count()) {
         const HitLanes hit = hits_at(task, i);
         const PointLanes point = points_at(task, hit);
         const F3 wo = -hit.ray.direction;
         const F cosine = hn::Max(hn::Abs(dot(point.geometric_normal, wo)), all(kLeastConeCosine));
-        const F width =
-            gather(task.paths.width, hit.path) + gather(task.paths.spread, hit.path) * hit.distance;
+        const F width = gather(task.paths.cone_width, hit.path) +
+                        gather(task.paths.cone_spread, hit.path) * hit.distance;
         const TexturePointOf<Lanes> textured{point.object_position, point.geometric_normal,
                                              point.uv, point.uv_per_metre, point.uv_metres};
         const ResolvedOf<Lanes> surface =

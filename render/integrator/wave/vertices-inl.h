@@ -84,18 +84,18 @@ HWY_INLINE void decide(const WaveStep& step, VertexLanes& v) {
     v.scatters = hn::And(kinds.scatters(), v.valid);
     v.connects = hn::AndNot(hn::Or(kinds.is_narrow, v.bsdf.transmits), v.scatters);
     const M has_coat = hn::And(v.valid, hn::Gt(v.bsdf.lobes.coat, all(0.f)));
-    const FollowingOf<Lanes> following =
-        following_at<Lanes>(step.paths.vertex, step.scene.split_vertices, step.scene.glossy_samples,
+    const SplittingOf<Lanes> splitting =
+        splitting_at<Lanes>(step.paths.vertex, step.scene.split_vertices, step.scene.glossy_samples,
                             has_coat, v.bsdf.lobes.has_rough_coat);
-    v.splits = following.splits;
-    v.shows_gloss = following.shows_gloss;
-    v.any_gloss = following.any_gloss;
+    v.splits = splitting.splits;
+    v.shows_gloss = splitting.shows_gloss;
+    v.any_gloss = splitting.any_gloss;
     v.coat_samples =
         select(v.shows_gloss, all(static_cast<float>(step.scene.glossy_samples)), all(1.f));
 }
 
 HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
-    const VertexWave& in = step.vertices;
+    const SurfaceQueue& in = step.vertices;
     const FloatTag d;
     const IntTag di;
     const I zero = hn::Zero(di);

@@ -13,7 +13,7 @@ namespace {
 
 WaveGroup::Kind kind_of(const SceneObject& object, bool moves) {
     if (object.is_round) {
-        return WaveGroup::Kind::ball;
+        return WaveGroup::Kind::sphere;
     }
     if (object.kind == ShapeKind::mesh) {
         return WaveGroup::Kind::mesh;
@@ -26,7 +26,7 @@ void add_shape(const SceneObject& object, WaveShapes& shapes) {
     shapes.world_from_unit.add(object.frame.world_from_unit);
     shapes.metres_from_world.add(object.metres_from_world);
     shapes.half_size.add(object.half_size);
-    shapes.profile.add(object.profile);
+    shapes.parameters.add(object.parameters);
     shapes.bounding_radius.push_back(object.bounding_radius);
 }
 
@@ -56,7 +56,7 @@ std::uint8_t traits_of(const Material& material) {
     const LayerConstants& layers = material.layers();
     const bool has_gloss = layers.coat_weight > 0 && layers.coat_alpha > 0;
     return static_cast<std::uint8_t>((material.is_transmissive() ? kTransmits : 0) |
-                                     (material.is_emissive() ? kShines : 0) |
+                                     (material.is_emissive() ? kEmits : 0) |
                                      (has_gloss ? kHasGloss : 0));
 }
 

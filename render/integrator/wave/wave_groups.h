@@ -14,9 +14,9 @@ namespace carom::render {
 
 /// Objects of one kind of shape and one material; a mesh is a group of its own.
 struct WaveGroup {
-    /// Round balls, boxes at rest along the world's axes, unit shapes under an affine map, and
+    /// Round spheres, boxes at rest along the world's axes, unit shapes under an affine map, and
     /// meshes.
-    enum class Kind : std::uint8_t { ball, box, shape, mesh };
+    enum class Kind : std::uint8_t { sphere, box, shape, mesh };
     Kind kind = Kind::shape;
     ShapeKind shape = ShapeKind::box;
     bool moves = false;
@@ -56,14 +56,14 @@ struct WaveMaps {
 struct WaveShapes {
     WaveMaps unit_from_world, world_from_unit;
     WaveMaps metres_from_world;
-    WaveNumbers half_size, profile;
+    WaveNumbers half_size, parameters;
     std::vector<float> bounding_radius;
 };
 
 /// What a hit of an object needs besides becoming a vertex, as bits.
 enum WaveTraits : std::uint8_t {
     kTransmits = 1,  // glass, or a phong material that lets light through
-    kShines = 2,     // an emissive material
+    kEmits = 2,      // an emissive material
     kHasGloss = 4,   // a rough coat
 };
 

@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 inline const WaveKernels& wave_kernels_of_target() {
-    static constexpr WaveKernels kKernels = {play_roulette,   find_surfaces, take_step,
-                                             look_into_coats, find_sky,      sum_light};
+    static constexpr WaveKernels kKernels = {russian_roulette, resolve_surfaces, shade_surfaces,
+                                             trace_coats,      shade_background, sum_light};
     return kKernels;
 }
 

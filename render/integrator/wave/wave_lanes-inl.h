@@ -1,4 +1,4 @@
-// Loads and stores of path_wave.h's arrays. Included once per instruction set.
+// Loads and stores of path_queues.h's arrays. Included once per instruction set.
 #if defined(CAROM_WAVE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_LANES_INL_H
 #undef CAROM_WAVE_LANES_INL_H
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render/integrator/kernels-inl.h"
-#include "render/integrator/wave/path_wave.h"
+#include "render/integrator/wave/path_queues.h"
 #include "render/lanes/packed_lanes-inl.h"
 #include "render/light/kernels-inl.h"
 #include "render/material/kernels-inl.h"

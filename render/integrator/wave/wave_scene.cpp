@@ -97,15 +97,15 @@ void set_up(WaveScene& wave_scene, const PathSettings& settings, const Caustics&
     if (settings.strategy == DirectStrategy::scattering_only) {
         wave_scene.light.clear();
     }
-    const Caustics::BallBounds& bounds = caustics.ball_bounds();
-    wave_scene.ball_x = bounds.x;
-    wave_scene.ball_y = bounds.y;
-    wave_scene.ball_z = bounds.z;
-    wave_scene.ball_bounding_radius = bounds.bounding_radius;
-    wave_scene.ball_radius2 = bounds.radius2;
-    wave_scene.ball_gain = bounds.gain;
-    wave_scene.ball_of_object = caustics.ball_of_object();
-    wave_scene.ball_of_object.resize(wave_scene.groups.of_object.size(), -1);
+    const Caustics::SphereBounds& bounds = caustics.sphere_bounds();
+    wave_scene.sphere_x = bounds.x;
+    wave_scene.sphere_y = bounds.y;
+    wave_scene.sphere_z = bounds.z;
+    wave_scene.sphere_bounding_radius = bounds.bounding_radius;
+    wave_scene.sphere_radius2 = bounds.radius2;
+    wave_scene.sphere_gain = bounds.gain;
+    wave_scene.sphere_of_object = caustics.sphere_of_object();
+    wave_scene.sphere_of_object.resize(wave_scene.groups.of_object.size(), -1);
     wave_scene.strategy = settings.strategy;
     wave_scene.max_bounces = settings.max_bounces;
     const auto& traits = wave_scene.groups.traits;

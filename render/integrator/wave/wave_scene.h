@@ -27,7 +27,7 @@ struct WaveLight {
     const RigidMotion* motion = nullptr;  // of an object that moves
 
     /// Whether the orientation of its body matters.
-    [[nodiscard]] bool turns() const {
+    [[nodiscard]] bool rotates() const {
         return motion != nullptr &&
                (kind == Kind::flat_object || shape.kind != EmissiveShapeConstants::Kind::sphere);
     }
@@ -67,10 +67,11 @@ struct WaveScene {
     float environment_importance = 0;
     std::optional<EnvironmentPicture> sky;  // of a sampled environment
 
-    // Specular balls as a structure of arrays: centre and radius of the bounding sphere of all
+    // Specular spheres as a structure of arrays: centre and radius of the bounding sphere of all
     // positions, squared radius, gain (caustics.h).
-    std::vector<float> ball_x, ball_y, ball_z, ball_bounding_radius, ball_radius2, ball_gain;
-    std::vector<std::int32_t> ball_of_object;  // or -1
+    std::vector<float> sphere_x, sphere_y, sphere_z, sphere_bounding_radius, sphere_radius2,
+        sphere_gain;
+    std::vector<std::int32_t> sphere_of_object;  // or -1
 
     WaveMaterials materials;
     WaveGroups groups;

@@ -28,7 +28,7 @@ HWY_INLINE F3 weighted_value(const WaveScene& scene, const VertexLanes& v, const
         return base.value * weight_of(scene, light_pdf, by_base);
     }
     const LobeValue coat = coat_towards<Lanes>(v.bsdf, wi, passes);
-    const F by_all = by_base + v.bsdf.lobes.coat_choice * coat.pdf;
+    const F by_all = by_base + v.bsdf.lobes.coat_probability * coat.pdf;
     const F weight_of_base = weight_of(scene, light_pdf, select(v.splits, by_base, by_all));
     const F weight_of_coat =
         weight_of(scene, light_pdf, select(v.splits, coat.pdf * v.coat_samples, by_all));
@@ -50,10 +50,10 @@ HWY_INLINE void add_shadow_rays(const WaveStep& step, const VertexLanes& v, cons
                                           : hn::Max(cosine, all(0.f));
     const F3 wi = local_direction(v, light.direction, height);
     const F pdf = light.pdf * expected;
-    const M shines = hn::And(hn::And(wanted, light.valid), hn::Or(side.is_above, side.passes));
+    const M emits = hn::And(hn::And(wanted, light.valid), hn::Or(side.is_above, side.passes));
     const F3 value = v.throughput * weighted_value(step.scene, v, wi, side.passes, pdf) *
                      light.radiance * (all(1.f) / pdf);
-    const M is_lit = hn::And(shines, hn::Gt(largest(value), all(0.f)));
+    const M is_lit = hn::And(emits, hn::Gt(largest(value), all(0.f)));
     put_rays(step.shadows, k, v.first, light, value, is_lit);
     if (step.scene.materials.transmits) {
         const std::size_t at = step.shadows.place(k, v.first);
@@ -172,31 +172,31 @@ HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
                                 const LaneSampler& sampler) {
     const WaveScene& scene = step.scene;
     const I object = load(step.vertices.object, v.first);
-    const I own = hn::GatherIndex(IntTag(), scene.ball_of_object.data(), object);
+    const I own = hn::GatherIndex(IntTag(), scene.sphere_of_object.data(), object);
     F total = all(0.f);
-    for (std::size_t ball = 0; ball < scene.ball_x.size(); ++ball) {
-        const F3 to_ball{all(scene.ball_x[ball]) - v.position.x,
-                         all(scene.ball_y[ball]) - v.position.y,
-                         all(scene.ball_z[ball]) - v.position.z};
-        const F share =
-            ball_share<Lanes>(to_ball, v.bsdf.geometric_normal, scene.ball_bounding_radius[ball],
-                              scene.ball_radius2[ball], scene.ball_gain[ball]);
-        const M is_own = is_equal(own, hn::Set(IntTag(), static_cast<std::int32_t>(ball)));
+    for (std::size_t sphere = 0; sphere < scene.sphere_x.size(); ++sphere) {
+        const F3 to_sphere{all(scene.sphere_x[sphere]) - v.position.x,
+                           all(scene.sphere_y[sphere]) - v.position.y,
+                           all(scene.sphere_z[sphere]) - v.position.z};
+        const F share = solid_angle_fraction<Lanes>(
+            to_sphere, v.bsdf.geometric_normal, scene.sphere_bounding_radius[sphere],
+            scene.sphere_radius2[sphere], scene.sphere_gain[sphere]);
+        const M is_own = is_equal(own, hn::Set(IntTag(), static_cast<std::int32_t>(sphere)));
         total = total + select(is_own, all(0.f), share);
     }
     const F roulette =
         sampler.get_1d(all_words(PathDimensions::kCaustics) + v.vertex_index + v.vertex_index);
     const PackedLanes asks(hn::And(v.connects, hn::Lt(roulette, total)));
     const I index = hn::Iota(IntTag(), v.first);
-    store_some(index, asks, step.near_balls.at, step.near_balls.count);
-    step.near_balls.count += asks.count();
+    store_some(index, asks, step.near_spheres.at, step.near_spheres.count);
+    step.near_spheres.count += asks.count();
 }
 
-inline HWY_ATTR void take_step(const WaveStep& step) {
+inline HWY_ATTR void shade_surfaces(const WaveStep& step) {
     const int vertex = step.paths.vertex;
     const bool has_lights = step.shadows.rays > 0;
     const bool connects = step.scene.caustics && vertex < PathDimensions::kConnectingVertices &&
-                          vertex < step.scene.max_bounces && !step.scene.ball_x.empty();
+                          vertex < step.scene.max_bounces && !step.scene.sphere_x.empty();
     for (int first = step.first; first < step.last; first += lane_count()) {
         VertexLanes v = vertices_at(step, first);
         const I slot = gather(step.paths.slot, v.path);
@@ -223,7 +223,7 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
     }
 }
 
-inline HWY_ATTR void look_into_coats(const WaveStep& step) {
+inline HWY_ATTR void trace_coats(const WaveStep& step) {
     for (int first = step.first; first < step.last; first += lane_count()) {
         const VertexLanes v = vertices_at(step, first);
         if (hn::AllFalse(FloatTag(), v.splits)) {
@@ -248,7 +248,7 @@ inline HWY_ATTR void look_into_coats(const WaveStep& step) {
 }
 
 /// The weight of the environment's light for paths that left the scene (light_hits.h).
-HWY_INLINE F weight_of_sky(const WaveScene& scene, const PathWave& paths, I path, F pdf) {
+HWY_INLINE F weight_of_environment(const WaveScene& scene, const PathQueue& paths, I path, F pdf) {
     const M is_delta = is_equal(gather(paths.is_delta, path), hn::Set(IntTag(), 1));
     F expected = gather(paths.environment_samples, path);
     if (paths.vertex != 1) {
@@ -268,19 +268,20 @@ HWY_INLINE F weight_of_sky(const WaveScene& scene, const PathWave& paths, I path
     return select(is_delta, all(1.f), weight);
 }
 
-inline HWY_ATTR void find_sky(const WaveScene& scene, const PathWave& paths, MissWave& missed) {
+inline HWY_ATTR void shade_background(const WaveScene& scene, const PathQueue& paths,
+                                      EscapedQueue& missed) {
     for (int first = 0; first < missed.paths.count; first += lane_count()) {
         const I path = load(missed.paths.at, first);
         const F3 direction = gather(paths.direction, path);
-        const V2 uv = sky_place<Lanes>(*scene.sky, direction);
-        const F pdf = sky_density<Lanes>(*scene.sky, direction, uv);
-        const F3 radiance =
-            sky_radiance<Lanes>(*scene.sky, uv) * weight_of_sky(scene, paths, path, pdf);
+        const V2 uv = environment_uv<Lanes>(*scene.sky, direction);
+        const F pdf = environment_pdf<Lanes>(*scene.sky, direction, uv);
+        const F3 radiance = environment_radiance<Lanes>(*scene.sky, uv) *
+                            weight_of_environment(scene, paths, path, pdf);
         store(gather(paths.throughput, path) * radiance, missed.light, first);
     }
 }
 
-inline HWY_ATTR void sum_light(ShadowWave& shadows) {
+inline HWY_ATTR void sum_light(ShadowQueue& shadows) {
     const FloatTag d;
     for (int first = shadows.first; first < shadows.last; first += lane_count()) {
         F3 sum = all(V3f(0, 0, 0));

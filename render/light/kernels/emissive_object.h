@@ -71,8 +71,8 @@ template <class L>
 CAROM_KERNEL UnitSampleOf<L> sample_unit_frustum(const EmissiveShapeConstants& shape,
                                                  const Vec2<typename L::Value>& u) {
     using V = typename L::Value;
-    const float middle = shape.profile.x;
-    const float slope = shape.profile.y;
+    const float middle = shape.parameters.x;
+    const float slope = shape.parameters.y;
     const PartOf<L> part = choose_part<L>(shape, 3, u.x);
     const SinCosOf<L> angle = sin_cos_turn<L>(u.y);
     // The radius of the side is linear in z, so its square is uniform.
@@ -114,7 +114,7 @@ CAROM_KERNEL UnitSampleOf<L> sample_unit_rounded(const EmissiveShapeConstants& s
                    L::select(is_corner, level * angle.sine, zero),
                    L::select(is_corner, along, zero)};
     Vec3<V> core{zero, zero, zero};
-    const Vec3<V> limits = all_of<L>(shape.profile);
+    const Vec3<V> limits = all_of<L>(shape.parameters);
     const auto towards = [](V direction, V limit)
                              CAROM_KERNEL_ATTRIBUTE { return L::flip_sign(limit, direction); };
     const Vec3<V> corner{towards(normal.x, limits.x), towards(normal.y, limits.y),
@@ -179,23 +179,23 @@ CAROM_KERNEL LightSampleOf<L> sample_shape_by_area(const EmissiveShapeConstants&
     return {to_light * (L::all(1) / distance), distance, pdf, all_of<L>(shape.radiance), valid};
 }
 
-/// 1 / sr in the axes of the unit ball, for a point outside.
+/// 1 / sr in the axes of the unit sphere, for a point outside.
 template <class L>
 CAROM_KERNEL typename L::Value unit_cone(const Vec3<typename L::Value>& point) {
     return one_minus_cos_of_sphere<L>(L::all(1), L::root(dot(point, point)));
 }
 
-/// Uniform within the cone that the unit ball subtends, mapped to the body's axes: solid angles
+/// Uniform within the cone that the unit sphere subtends, mapped to the body's axes: solid angles
 /// grow by the determinant over the cube of the length to which the map stretches the direction.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_ellipsoid(const EmissiveShapeConstants& shape,
                                                const Vec3<typename L::Value>& point,
                                                const Vec2<typename L::Value>& u) {
     using V = typename L::Value;
-    SphereConstants ball;
-    ball.radius = 1;
+    SphereConstants sphere;
+    sphere.radius = 1;
     const LightSampleOf<L> found =
-        sample_sphere_light<L>(ball, affine_of<L>(shape.unit_from_body).point(point), u);
+        sample_sphere_light<L>(sphere, affine_of<L>(shape.unit_from_body).point(point), u);
     const Vec3<V> direction = affine_of<L>(shape.body_from_unit).vector(found.direction);
     const V stretch = L::root(dot(direction, direction));
     return {direction * (L::all(1) / stretch), found.distance * stretch,

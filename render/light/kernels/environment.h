@@ -3,8 +3,8 @@
 /// (u, v) in the picture, v = 0 at the top. The middle column is the direction +x; columns to its
 /// right turn towards -y, as seen from the middle of the scene.
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> sky_place(const EnvironmentPicture& picture,
-                                               const Vec3<typename L::Value>& direction) {
+CAROM_KERNEL Vec2<typename L::Value> environment_uv(const EnvironmentPicture& picture,
+                                                    const Vec3<typename L::Value>& direction) {
     const auto u =
         L::all(0.5f + picture.turns) - quick_angle<L>(direction.x, direction.y) * L::all(1 / kTurn);
     const auto polar = quick_arccosine<L>(limited<L>(direction.z, -1, 1));
@@ -13,8 +13,8 @@ CAROM_KERNEL Vec2<typename L::Value> sky_place(const EnvironmentPicture& picture
 
 /// The bilinear picture.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> sky_radiance(const EnvironmentPicture& picture,
-                                                  const Vec2<typename L::Value>& uv) {
+CAROM_KERNEL Vec3<typename L::Value> environment_radiance(const EnvironmentPicture& picture,
+                                                          const Vec2<typename L::Value>& uv) {
     const auto x = uv.x * L::all(static_cast<float>(picture.width)) - L::all(0.5f);
     const auto y = uv.y * L::all(static_cast<float>(picture.height)) - L::all(0.5f);
     // uv may be 1 for a direction straight down or by rounding at the seam.
@@ -40,20 +40,20 @@ CAROM_KERNEL Vec3<typename L::Value> sky_radiance(const EnvironmentPicture& pict
     return mix(top, bottom, fy) * all_of<L>(picture.scale);
 }
 
-/// Density of `sample_sky` for a direction, `uv` being its place, 1/sr.
+/// Density of `sample_environment_map` for a direction, `uv` being its place, 1/sr.
 template <class L>
-CAROM_KERNEL typename L::Value sky_density(const EnvironmentPicture& picture,
-                                           const Vec3<typename L::Value>& direction,
-                                           const Vec2<typename L::Value>& uv) {
+CAROM_KERNEL typename L::Value environment_pdf(const EnvironmentPicture& picture,
+                                               const Vec3<typename L::Value>& direction,
+                                               const Vec2<typename L::Value>& uv) {
     const auto sine = L::root(direction.x * direction.x + direction.y * direction.y);
     const auto exists = L::is_less(L::all(0), sine);
-    const auto density = density_of_cells<L>(picture.distribution, uv) /
+    const auto density = pdf_piecewise_constant<L>(picture.distribution, uv) /
                          (L::all(kTurn * kPi) * L::select(exists, sine, L::all(1)));
     return L::select(exists, density, L::all(0));
 }
 
 template <class L>
-struct SkySampleOf {
+struct EnvironmentSampleOf {
     Vec3<typename L::Value> direction;
     typename L::Value pdf;  // 1/sr
     Vec2<typename L::Value> uv;
@@ -62,9 +62,9 @@ struct SkySampleOf {
 
 /// A direction in proportion to brightness and solid angle.
 template <class L>
-CAROM_KERNEL SkySampleOf<L> sample_sky(const EnvironmentPicture& picture,
-                                       const Vec2<typename L::Value>& u) {
-    const PlaceOf<L> place = sample_cells<L>(picture.distribution, u);
+CAROM_KERNEL EnvironmentSampleOf<L> sample_environment_map(const EnvironmentPicture& picture,
+                                                           const Vec2<typename L::Value>& u) {
+    const UvSampleOf<L> place = sample_piecewise_constant<L>(picture.distribution, u);
     const SinCosOf<L> polar = sin_cos_turn<L>(L::all(0.5f) * place.uv.y);
     const SinCosOf<L> azimuth = sin_cos_turn<L>(L::all(0.5f + picture.turns) - place.uv.x);
     const auto zero = L::all(0);

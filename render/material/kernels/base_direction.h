@@ -8,12 +8,12 @@ struct BaseDirectionOf {
     typename L::Mask valid;      // there is a lobe
 };
 
-/// Chooses a lobe but glass and a direction of it by the numbers `u`. `choose_facets`: the
+/// Chooses a lobe but glass and a direction of it by the numbers `u`. `specular_probability`: the
 /// probability of metal and highlight, given that glass is not chosen.
 template <class L>
 CAROM_KERNEL BaseDirectionOf<L> sample_base_direction(const LayersOf<L>& layers,
                                                       const LobesOf<L>& lobes,
-                                                      typename L::Value choose_facets,
+                                                      typename L::Value specular_probability,
                                                       const Vec3<typename L::Value>& wo,
                                                       Vec2<typename L::Value> u) {
     using V = typename L::Value;
@@ -30,14 +30,14 @@ CAROM_KERNEL BaseDirectionOf<L> sample_base_direction(const LayersOf<L>& layers,
     BaseDirectionOf<L> to;
     to.is_delta = none;
     to.valid = L::is_less(zero, lobes.choose_diffuse);
-    auto by_facets = none;
-    Vec3<V> of_facets{L::opposite_sign(wo.x), L::opposite_sign(wo.y), wo.z};  // mirrored
-    if (lobes.any_facets) {
-        by_facets = takes(choose_facets);
+    auto by_specular = none;
+    Vec3<V> of_specular{L::opposite_sign(wo.x), L::opposite_sign(wo.y), wo.z};  // mirrored
+    if (lobes.any_specular) {
+        by_specular = takes(specular_probability);
         const auto is_rough = L::is_less(zero, layers.alpha);
         const GgxOf<L> ggx(L::select(is_rough, layers.alpha, one));
-        of_facets = select<L>(is_rough, reflect<L>(wo, ggx.sample_visible(wo, u)), of_facets);
-        to.is_delta = L::both(by_facets, L::opposite(is_rough));
+        of_specular = select<L>(is_rough, reflect<L>(wo, ggx.sample_visible(wo, u)), of_specular);
+        to.is_delta = L::both(by_specular, L::opposite(is_rough));
     }
     auto by_sheen = none;
     if (lobes.any_sheen) {
@@ -49,9 +49,9 @@ CAROM_KERNEL BaseDirectionOf<L> sample_base_direction(const LayersOf<L>& layers,
         to.wi = select<L>(by_sheen, sample_cone<L>(u, one), to.wi);
         to.valid = L::either(to.valid, by_sheen);
     }
-    if (lobes.any_facets) {
-        to.wi = select<L>(by_facets, of_facets, to.wi);
-        to.valid = L::either(to.valid, by_facets);
+    if (lobes.any_specular) {
+        to.wi = select<L>(by_specular, of_specular, to.wi);
+        to.valid = L::either(to.valid, by_specular);
     }
     return to;
 }

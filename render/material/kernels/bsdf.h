@@ -83,11 +83,11 @@ CAROM_KERNEL LobeKindsOf<L> kinds_of_lobes(const BsdfOf<L>& bsdf) {
     kinds.base_scatters =
         L::either(L::is_less(zero, lobes.choose_diffuse), L::is_less(zero, lobes.choose_sheen));
     kinds.is_narrow = L::is_less(zero, zero);
-    if (lobes.any_facets) {
-        const auto has_rough_facets =
-            L::both(L::is_less(zero, lobes.facets), L::is_less(zero, layers.alpha));
-        kinds.base_scatters = L::either(kinds.base_scatters, has_rough_facets);
-        kinds.is_narrow = L::both(has_rough_facets, is_narrow(layers.alpha));
+    if (lobes.any_specular) {
+        const auto has_rough_specular =
+            L::both(L::is_less(zero, lobes.specular), L::is_less(zero, layers.alpha));
+        kinds.base_scatters = L::either(kinds.base_scatters, has_rough_specular);
+        kinds.is_narrow = L::both(has_rough_specular, is_narrow(layers.alpha));
     }
     if (lobes.any_rough_coat) {
         kinds.is_narrow =
@@ -167,7 +167,7 @@ CAROM_KERNEL LobeValueOf<L> base_towards(const BsdfOf<L>& bsdf, const Vec3<typen
 template <class L>
 CAROM_KERNEL LobeValueOf<L> of_all_lobes(const BsdfOf<L>& bsdf, const LobeValueOf<L>& base,
                                          const LobeValueOf<L>& coat) {
-    const auto choice = bsdf.lobes.coat_choice;
+    const auto choice = bsdf.lobes.coat_probability;
     return {coat.value + base.value, choice * coat.pdf + (L::all(1) - choice) * base.pdf};
 }
 
@@ -218,7 +218,7 @@ CAROM_KERNEL Vec3<typename L::Value> mirrored(const BsdfOf<L>& bsdf) {
 template <class L>
 CAROM_KERNEL typename L::Value after_choice(const BsdfOf<L>& bsdf, typename L::Mask splits,
                                             typename L::Value u) {
-    const auto choice = bsdf.lobes.coat_choice;
+    const auto choice = bsdf.lobes.coat_probability;
     const auto by_chance = L::both(L::opposite(splits), L::is_less(L::all(0), choice));
     const auto both = L::both(by_chance, L::is_less(choice, L::all(1)));
     return L::select(both, remap_sample<L>(u, choice), u);
@@ -234,7 +234,7 @@ CAROM_KERNEL DirectionOf<L> sample_coat(const BsdfOf<L>& bsdf, typename L::Mask 
     DirectionOf<L> to;
     to.passes = L::is_less(zero, zero);
     to.wi = mirrored<L>(bsdf);
-    const auto weight = lobes.coat / L::select(splits, L::all(1), lobes.coat_choice);
+    const auto weight = lobes.coat / L::select(splits, L::all(1), lobes.coat_probability);
     to.weight = {weight, weight, weight};
     to.pdf = zero;
     to.is_delta = L::opposite(lobes.has_rough_coat);
@@ -262,7 +262,7 @@ CAROM_KERNEL DirectionOf<L> sample_coat(const BsdfOf<L>& bsdf, typename L::Mask 
 /// Probability of sampling the base.
 template <class L>
 CAROM_KERNEL typename L::Value base_probability(const BsdfOf<L>& bsdf, typename L::Mask splits) {
-    return L::select(splits, L::all(1), L::all(1) - bsdf.lobes.coat_choice);
+    return L::select(splits, L::all(1), L::all(1) - bsdf.lobes.coat_probability);
 }
 
 /// Chooses one of all lobes below the coat and a direction of it; sets the weight of single
@@ -277,14 +277,15 @@ CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
     DirectionOf<L> to;
     to.weight = {zero, zero, zero};
     to.passes = L::is_less(zero, zero);
-    auto choose_facets = lobes.choose_facets;
+    auto specular_probability = lobes.specular_probability;
     auto by_glass = to.passes;
     if (bsdf.layers.any_glass) {
         by_glass = L::is_less(u.x, lobes.choose_glass);
         const auto remaps =
             L::both(L::is_less(zero, lobes.choose_glass), L::is_less(lobes.choose_glass, one));
         u.x = L::select(remaps, remap_sample<L>(u.x, lobes.choose_glass), u.x);
-        choose_facets = choose_facets / L::select(remaps, one - lobes.choose_glass, one);
+        specular_probability =
+            specular_probability / L::select(remaps, one - lobes.choose_glass, one);
     }
     const Vec2<typename L::Value> of_glass = u;
     PhongDirectionOf<L> phong{to.weight, to.weight, to.passes, to.passes, to.passes};
@@ -292,7 +293,7 @@ CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
         phong = sample_phong<L>(bsdf.phong, u);
     }
     const BaseDirectionOf<L> chosen =
-        sample_base_direction<L>(bsdf.layers, lobes, choose_facets, bsdf.wo, u);
+        sample_base_direction<L>(bsdf.layers, lobes, specular_probability, bsdf.wo, u);
     to.wi = chosen.wi;
     to.is_delta = chosen.is_delta;
     to.valid = chosen.valid;
@@ -345,10 +346,10 @@ CAROM_KERNEL DirectionOf<L> sample_base(const BsdfOf<L>& bsdf, typename L::Mask 
         }
         to.weight = select<L>(is_lambert, to.weight, value * (one / pdf));
         to.pdf = L::select(is_lambert, to.pdf, pdf);
-        if (lobes.any_facets) {
+        if (lobes.any_specular) {
             const auto reflectance =
                 facet_reflectance<L>(bsdf.layers, lobes.metal_scale, bsdf.base, bsdf.wo.z);
-            const auto scale = lobes.facets / (probability * lobes.choose_facets);
+            const auto scale = lobes.specular / (probability * lobes.specular_probability);
             to.weight = select<L>(to.is_delta, reflectance * scale, to.weight);
             to.pdf = L::select(to.is_delta, zero, to.pdf);
         }

@@ -20,7 +20,7 @@ CAROM_KERNEL Vec3<typename L::Value> refracted_at(const Vec3<typename L::Value>&
 /// The boundary seen from one direction. Smooth boundaries have Fresnel's exact reflectance,
 /// including total reflection. Rough ones follow Walter et al. 2007, "Microfacet models for
 /// refraction through rough surfaces", sections 4 and 5, scaled to restore the energy that single
-/// scattering between facets loses (as Turquin 2019 does for metals).
+/// scattering between specular loses (as Turquin 2019 does for metals).
 ///
 /// Values are in terms of basic radiance, radiance over the squared index of its medium, which
 /// refraction conserves: there is no factor n^2 at the surface, and none for lights, which are all
@@ -95,7 +95,7 @@ CAROM_KERNEL GlassValueOf<L> glass_towards(const GlassLobeOf<L>& lobe,
     const auto fresnel = fresnel_dielectric<L>(L::larger(cos_o, zero), lobe.index);
     const auto reflected = lobe.scale * fresnel * ggx.reflection(wo, wi, m);
     const auto reflected_pdf = lobe.reflectance * ggx.reflection_pdf(wo, m);
-    // Density of facets visible from wo, and of wi for a given facet (Walter 2007, eq. 17).
+    // Density of specular visible from wo, and of wi for a given facet (Walter 2007, eq. 17).
     const auto visible = ggx.density(m) * cos_o / (wo.z * (one + ggx.lambda(wo)));
     const auto refraction = cos_o + lobe.index * cos_i;
     const auto density =

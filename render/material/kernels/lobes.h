@@ -10,23 +10,23 @@
 /// where E is the coat's albedo, for a smooth coat Fresnel's F.
 template <class L>
 struct LobesOf {
-    typename L::Value coat;           // fraction that the coat reflects
-    typename L::Value coat_choice;    // probability of the coat when it or the base is chosen
-    Vec3<typename L::Value> diffuse;  // albedo after all layers above
-    typename L::Value facets;         // scale of metal and highlight after all layers above
+    typename L::Value coat;              // fraction that the coat reflects
+    typename L::Value coat_probability;  // probability of the coat when it or the base is chosen
+    Vec3<typename L::Value> diffuse;     // albedo after all layers above
+    typename L::Value specular;          // scale of metal and highlight after all layers above
     Vec3<typename L::Value> metal_scale;
     Vec3<typename L::Value> sheen;
     typename L::Value glass;  // fraction that reaches the glass below all layers
-    typename L::Value choose_glass, choose_facets, choose_sheen, choose_diffuse;
+    typename L::Value choose_glass, specular_probability, choose_sheen, choose_diffuse;
     typename L::Mask is_diffuse;  // the base has no other lobe
     typename L::Mask has_rough_coat;
-    bool any_sheen;   // false: no lane has sheen
-    bool any_facets;  // false: no lane has metal or a highlight
+    bool any_sheen;     // false: no lane has sheen
+    bool any_specular;  // false: no lane has metal or a highlight
     bool any_rough_coat;
 
     /// false: no lane has another lobe than the diffuse one and specular ones.
     [[nodiscard]] CAROM_KERNEL bool any_glossy() const {
-        return any_sheen || any_facets || any_rough_coat;
+        return any_sheen || any_specular || any_rough_coat;
     }
 };
 
@@ -68,12 +68,12 @@ CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Vec3<typename L::V
     auto below = one - layers.metal;
     const auto has_metal = L::is_less(zero, layers.metal);
     const auto has_highlight = L::is_less(zero, layers.specular);
-    const auto has_facets = L::either(has_metal, has_highlight);
-    lobes.facets = L::select(has_facets, rest, zero);
+    const auto has_specular = L::either(has_metal, has_highlight);
+    lobes.specular = L::select(has_specular, rest, zero);
     lobes.metal_scale = {zero, zero, zero};
-    lobes.choose_facets = zero;
-    lobes.any_facets = !L::none(has_facets);
-    if (lobes.any_facets) {
+    lobes.specular_probability = zero;
+    lobes.any_specular = !L::none(has_specular);
+    if (lobes.any_specular) {
         const auto is_rough = L::is_less(zero, layers.alpha);
         lobes.metal_scale = {layers.metal, layers.metal, layers.metal};
         if (!L::none(L::both(has_metal, is_rough))) {
@@ -88,21 +88,21 @@ CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Vec3<typename L::V
         const auto rough = albedo_at<L>(layers.tables.specular, layers.first, cosine);
         const auto smooth = fresnel_dielectric<L>(cosine, L::all(kSpecularIor));
         const auto highlight = L::select(is_rough, rough, smooth);
-        below = L::select(has_facets, below * (one - layers.specular * highlight), below);
+        below = L::select(has_specular, below * (one - layers.specular * highlight), below);
         const auto reflectance = facet_reflectance<L>(layers, lobes.metal_scale, base, cosine);
-        lobes.choose_facets = lobes.facets * largest<L>(reflectance);
+        lobes.specular_probability = lobes.specular * largest<L>(reflectance);
     }
     lobes.diffuse = base * (rest * below);
     lobes.choose_diffuse = largest<L>(lobes.diffuse);
     const auto sum =
-        lobes.choose_sheen + lobes.choose_facets + lobes.choose_diffuse + lobes.choose_glass;
-    lobes.is_diffuse =
-        L::both(L::is_less(zero, lobes.choose_diffuse),
-                L::is_at_most(lobes.choose_sheen + lobes.choose_facets + lobes.choose_glass, zero));
+        lobes.choose_sheen + lobes.specular_probability + lobes.choose_diffuse + lobes.choose_glass;
+    lobes.is_diffuse = L::both(
+        L::is_less(zero, lobes.choose_diffuse),
+        L::is_at_most(lobes.choose_sheen + lobes.specular_probability + lobes.choose_glass, zero));
     const auto scale = L::select(L::is_less(zero, sum), sum, one);
     lobes.choose_glass = lobes.choose_glass / scale;
     lobes.choose_sheen = lobes.choose_sheen / scale;
-    lobes.choose_facets = lobes.choose_facets / scale;
+    lobes.specular_probability = lobes.specular_probability / scale;
     lobes.choose_diffuse = lobes.choose_diffuse / scale;
 }
 
@@ -127,19 +127,19 @@ CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Vec3<typena
         lobes.coat = L::select(has_coat, layers.coat_weight * reflected, zero);
     }
     weigh_base<L>(layers, base, cosine, is_inside, one - lobes.coat, lobes);
-    lobes.coat_choice = zero;
+    lobes.coat_probability = zero;
     const auto is_coated = L::is_less(zero, lobes.coat);
     if (!L::none(is_coated)) {
         auto below = largest<L>(lobes.diffuse) + largest<L>(lobes.sheen);
-        if (lobes.any_facets) {
-            below = below + lobes.facets * largest<L>(facet_reflectance<L>(
-                                               layers, lobes.metal_scale, base, cosine));
+        if (lobes.any_specular) {
+            below = below + lobes.specular * largest<L>(facet_reflectance<L>(
+                                                 layers, lobes.metal_scale, base, cosine));
         }
         below = below + lobes.glass;
         const auto choice = limited<L>(lobes.coat / L::select(is_coated, lobes.coat + below, one),
                                        kLeastCoatChoice, kMostCoatChoice);
         const auto chosen = L::select(L::is_less(zero, below), choice, one);
-        lobes.coat_choice = L::select(is_coated, chosen, zero);
+        lobes.coat_probability = L::select(is_coated, chosen, zero);
     }
     return lobes;
 }
@@ -183,16 +183,17 @@ CAROM_KERNEL LobeValueOf<L> base_towards(const LayersOf<L>& layers, const LobesO
         result.value = result.value + lobes.sheen * L::select(has_sheen, density, zero);
         result.pdf = result.pdf + lobes.choose_sheen * L::all(0.5f * kInversePi);
     }
-    if (lobes.any_facets) {
+    if (lobes.any_specular) {
         const auto is_rough =
-            L::both(L::is_less(zero, lobes.facets), L::is_less(zero, layers.alpha));
+            L::both(L::is_less(zero, lobes.specular), L::is_less(zero, layers.alpha));
         const GgxOf<L> ggx(L::select(is_rough, layers.alpha, L::all(1)));
         const Vec3<typename L::Value> m = unit<L>(sum);
-        const auto scale = L::select(is_rough, lobes.facets * ggx.reflection(wo, wi, m), zero);
+        const auto scale = L::select(is_rough, lobes.specular * ggx.reflection(wo, wi, m), zero);
         result.value = result.value +
                        facet_reflectance<L>(layers, lobes.metal_scale, base, dot(wo, m)) * scale;
         result.pdf =
-            result.pdf + L::select(is_rough, lobes.choose_facets * ggx.reflection_pdf(wo, m), zero);
+            result.pdf +
+            L::select(is_rough, lobes.specular_probability * ggx.reflection_pdf(wo, m), zero);
     }
     return result;
 }

@@ -42,7 +42,7 @@ struct GgxOf {
         return density(m) / (L::all(4) * wo.z * (L::all(1) + lambda(wo)));
     }
 
-    /// BRDF times cosine of `wi`, for facets that reflect everything (Heitz 2014, eq. 99 with the
+    /// BRDF times cosine of `wi`, for specular that reflect everything (Heitz 2014, eq. 99 with the
     /// height-correlated masking of its G2).
     [[nodiscard]] CAROM_KERNEL V reflection(const Vec3<V>& wo, const Vec3<V>& wi,
                                             const Vec3<V>& m) const {

@@ -64,15 +64,15 @@ CAROM_KERNEL typename L::Value coordinate_of(const CellOf<L>& cell, int count) {
 }
 
 template <class L>
-struct PlaceOf {
+struct UvSampleOf {
     Vec2<typename L::Value> uv;  // [0, 1)^2: u along a row, v from the first row to the last
     typename L::Value pdf;       // per area of the unit square
 };
 
 /// A point in proportion to the weights. `tables` must have a density.
 template <class L>
-CAROM_KERNEL PlaceOf<L> sample_cells(const DistributionTables& tables,
-                                     const Vec2<typename L::Value>& u) {
+CAROM_KERNEL UvSampleOf<L> sample_piecewise_constant(const DistributionTables& tables,
+                                                     const Vec2<typename L::Value>& u) {
     const auto zero = L::all_int(0);
     const CellOf<L> row =
         find_cell<L>(tables.row_cdf, zero, tables.row_cuts, zero, tables.height, u.y);
@@ -83,10 +83,10 @@ CAROM_KERNEL PlaceOf<L> sample_cells(const DistributionTables& tables,
             L::gather(tables.density, first_cut + column.index)};
 }
 
-/// Density of `sample_cells` per area of the unit square; `uv` in [0, 1]^2.
+/// Density of `sample_piecewise_constant` per area of the unit square; `uv` in [0, 1]^2.
 template <class L>
-CAROM_KERNEL typename L::Value density_of_cells(const DistributionTables& tables,
-                                                const Vec2<typename L::Value>& uv) {
+CAROM_KERNEL typename L::Value pdf_piecewise_constant(const DistributionTables& tables,
+                                                      const Vec2<typename L::Value>& uv) {
     const auto cell = [&](typename L::Value x, int count) CAROM_KERNEL_ATTRIBUTE {
         return L::smaller_int(L::to_int(x * L::all(static_cast<float>(count))),
                               L::all_int(count - 1));

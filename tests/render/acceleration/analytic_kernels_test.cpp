@@ -78,7 +78,7 @@ void compare_with_single_rays(const AnalyticBlocks& blocks, const std::vector<Ra
             const UnitRay in_unit{unit_from_world.point(ray.origin),
                                   unit_from_world.vector(ray.direction), ray.t_min, ray.t_max};
             const auto expected =
-                intersect_unit_shape<Shape::kKind>(in_unit, block.profile_of(lane));
+                intersect_unit_shape<Shape::kKind>(in_unit, block.parameters_of(lane));
             float t = ray.t_max;
             const bool found = best_kernels().one(blocks, kLaneShape<Shape>, index, ray, t);
             EXPECT_EQ(found, expected.has_value());

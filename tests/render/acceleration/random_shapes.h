@@ -68,7 +68,7 @@ inline Affine random_map(TestRandom& random, const V3f& half_size, float size) {
 }
 
 /// A cylinder, a cone or a frustum, either way up.
-inline V3f random_profile(TestRandom& random) {
+inline V3f random_parameters(TestRandom& random) {
     const float other = std::max(0.f, random.between(-0.5f, 1.5f));
     const float top = random.next() % 2 == 0 ? 1 : std::min(other, 1.f);
     const float bottom = top == 1 ? std::min(other, 1.f) : 1;
@@ -116,10 +116,10 @@ inline void add_moving_sphere(render::ShapeSet& shapes, const render::RigidMotio
 
 template <class Shape>
 void add_mapped(render::ShapeSet& shapes, const Affine& unit_from_world, std::uint32_t object,
-                const V3f& profile = V3f(0), bool one_sided = false) {
+                const V3f& parameters = V3f(0), bool one_sided = false) {
     const auto [block, lane] = shapes.blocks.of<Shape>().add(object);
     block.set_map(lane, unit_from_world);
-    block.set_profile(lane, profile);
+    block.set_parameters(lane, parameters);
     block.one_sided.values[lane] = one_sided ? 1.f : 0.f;
 }
 
@@ -175,13 +175,13 @@ struct RandomScene {
             add_aligned_box(shapes, low, low + size, object_count++);
             const V3f half = random_point(random, 0.1f) + V3f(0.15f);
             add_mapped<render::UnitBox>(shapes, random_map(random, half, 2), object_count++);
-            add_mapped<render::UnitBall>(shapes, random_map(random, half, 2), object_count++);
+            add_mapped<render::UnitSphere>(shapes, random_map(random, half, 2), object_count++);
             add_mapped<render::UnitRectangle>(shapes, random_map(random, half, 2), object_count++,
                                               V3f(0), i % 2 == 0);
             add_mapped<render::UnitTriangle>(shapes, random_map(random, half, 2), object_count++);
             add_mapped<render::UnitDisk>(shapes, random_map(random, half, 2), object_count++);
             const Affine map = random_map(random, half, 2);
-            add_mapped<render::UnitFrustum>(shapes, map, object_count++, random_profile(random));
+            add_mapped<render::UnitFrustum>(shapes, map, object_count++, random_parameters(random));
             add_mapped<render::UnitCapsule>(shapes, random_map(random, 0.5f * half, 2),
                                             object_count++, V3f(random.between(0.1f, 3), 0, 0));
             add_mapped<render::UnitRoundedBox>(shapes, random_map(random, 0.5f * half, 2),
@@ -197,8 +197,8 @@ struct RandomScene {
             add_moving_sphere(shapes, motion, random.between(0.05f, 0.3f), object_count++);
             std::shared_ptr<render::RigidMotion> own;
             for (const Kind kind :
-                 {Kind::ball, Kind::box, Kind::rectangle, Kind::triangle, Kind::disk, Kind::frustum,
-                  Kind::capsule, Kind::rounded_box, Kind::mesh}) {
+                 {Kind::sphere, Kind::box, Kind::rectangle, Kind::triangle, Kind::disk,
+                  Kind::frustum, Kind::capsule, Kind::rounded_box, Kind::mesh}) {
                 render::MovingShape shape;
                 shape.kind = kind;
                 const V3f half_size = random_point(random, 0.1f) + V3f(0.15f);
@@ -206,13 +206,13 @@ struct RandomScene {
                 unit_from_body.setScale(Vec3(1) / Vec3(half_size));
                 shape.unit_from_body = Affine::narrowed(unit_from_body);
                 if (kind == Kind::frustum) {
-                    shape.profile = random_profile(random);
+                    shape.parameters = random_parameters(random);
                 }
                 if (kind == Kind::capsule) {
-                    shape.profile = V3f(random.between(0.1f, 3), 0, 0);
+                    shape.parameters = V3f(random.between(0.1f, 3), 0, 0);
                 }
                 if (kind == Kind::rounded_box) {
-                    shape.profile = random_core(random);
+                    shape.parameters = random_core(random);
                 }
                 // The frustum, the capsule and the rounded box are of one body.
                 if (kind != Kind::capsule && kind != Kind::rounded_box) {
@@ -220,7 +220,8 @@ struct RandomScene {
                 }
                 shape.motion = own;
                 // A capsule's only measure is half the length of its axis, which is z.
-                const V3f core = kind == Kind::capsule ? V3f(0, 0, shape.profile.x) : shape.profile;
+                const V3f core =
+                    kind == Kind::capsule ? V3f(0, 0, shape.parameters.x) : shape.parameters;
                 float bounding_radius = half_size.length() + (half_size * core).length();
                 if (kind == Kind::mesh) {
                     meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));

@@ -183,7 +183,7 @@ Hit nearest_sphere(const std::vector<sim::Track>& tracks, const std::vector<floa
     for (std::uint32_t i = 0; i < tracks.size(); ++i) {
         const Vec3 centre = tracks[i].sample(static_cast<double>(ray.time)).position;
         const auto radius = static_cast<double>(radii[i]);
-        const auto t = intersect_unit_shape<ShapeKind::ball>(
+        const auto t = intersect_unit_shape<ShapeKind::sphere>(
             RaySegment<double>{(Vec3(ray.origin) - centre) / radius, Vec3(ray.direction) / radius});
         if (t && static_cast<float>(*t) < best.t) {
             best = {static_cast<float>(*t), i, 0, 0, 0};

@@ -120,7 +120,7 @@ CAROM_KERNEL void hit(const RayOf<L>& ray, const Vec3<float>& profile, const Sum
 
 CAROM_KERNEL void hit_shapes(const Scene& scene, const RayOf<L>& ray, const Vec3<float>& profile,
                              const Sum& sum) {
-    hit<ShapeKind::ball>(ray, profile, sum);
+    hit<ShapeKind::sphere>(ray, profile, sum);
     hit<ShapeKind::box>(ray, profile, sum);
     hit<ShapeKind::rectangle>(ray, profile, sum);
     hit<ShapeKind::triangle>(ray, profile, sum);
@@ -136,8 +136,8 @@ CAROM_KERNEL void hit_shapes(const Scene& scene, const RayOf<L>& ray, const Vec3
     sum.add(on_mesh.position);
     sum.add(on_mesh.shading_normal);
     sum.add(on_mesh.uv);
-    const auto on_ball = point_on_ball<L>(ray, profile.x, profile, profile.y);
-    sum.add(on_ball.position);
+    const auto on_sphere = point_on_sphere<L>(ray, profile.x, profile, profile.y);
+    sum.add(on_sphere.position);
     const auto on_box = point_on_upright_box<L>(ray, profile.x, profile, profile, {true, true});
     sum.add(on_box.uv);
     const auto record = triangles::MollerTrumbore::prepare(
@@ -163,9 +163,10 @@ CAROM_KERNEL void light(const Scene& scene, const Vec3<float>& point, const Vec3
     sum.add(importance_of_delta_light<L>(scene.delta, point, normal));
     sum.add(importance_of_shape<L>(scene.shape, point, normal));
     sum.add(pdf_of_shape<L>(scene.shape, point, normal, u.x, normal));
-    const SkySampleOf<L> sky = sample_sky<L>(scene.sky, u);
-    sum.add(sky_radiance<L>(scene.sky, sky.uv));
-    sum.add(sky_density<L>(scene.sky, sky.direction, sky_place<L>(scene.sky, sky.direction)));
+    const EnvironmentSampleOf<L> sky = sample_environment_map<L>(scene.sky, u);
+    sum.add(environment_radiance<L>(scene.sky, sky.uv));
+    sum.add(
+        environment_pdf<L>(scene.sky, sky.direction, environment_uv<L>(scene.sky, sky.direction)));
 }
 
 CAROM_KERNEL void scatter(const Scene& scene, const Vec3<float>& normal, const Vec3<float>& viewer,

@@ -290,8 +290,8 @@ TEST(Shapes, UvMetres_AreTheLengthsThatUvCross) {
     const float turn = static_cast<float>(2 * kPi);
     expect(metres(CylinderShape{0.5, 3}, above, below), V2f(1, 1));
     expect(metres(CylinderShape{0.5, 3}, Vec3(9, 0, 0), Vec3(0)), V2f(0.5f * turn, 3));
-    const SurfacePoint on_ball = look(SphereShape{2}, Vec3(9, 0, 0), Vec3(0));
-    expect(on_ball.uv_metres, V2f(2 * turn, turn));
+    const SurfacePoint on_sphere = look(SphereShape{2}, Vec3(9, 0, 0), Vec3(0));
+    expect(on_sphere.uv_metres, V2f(2 * turn, turn));
 }
 
 TEST(Shapes, WithoutArea_AreRefused) {

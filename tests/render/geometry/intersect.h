@@ -33,10 +33,10 @@ using UnitRay = RaySegment<float>;
 /// same bits (kernels/unit_shape_hits.h).
 template <ShapeKind kKind, class T>
 [[nodiscard]] std::optional<T> intersect_unit_shape(const RaySegment<T>& ray,
-                                                    const V3<T>& profile = V3<T>(0)) {
+                                                    const V3<T>& parameters = V3<T>(0)) {
     using L = ScalarLanes<T>;
     const scalar::RayOf<L> line{ray.origin, ray.direction};
-    const auto hit = scalar::hit_unit_shape<kKind, L>(line, ray.t_min, {profile, T(0)});
+    const auto hit = scalar::hit_unit_shape<kKind, L>(line, ray.t_min, {parameters, T(0)});
     return hit.valid && hit.t < ray.t_max ? std::optional<T>(hit.t) : std::nullopt;
 }
 

@@ -16,16 +16,16 @@ V3f random_vector(test::TestRandom& random) {
 }
 
 template <class T>
-std::optional<T> hit_ball(const RaySegment<T>& ray) {
-    return intersect_unit_shape<ShapeKind::ball>(ray);
+std::optional<T> hit_sphere(const RaySegment<T>& ray) {
+    return intersect_unit_shape<ShapeKind::sphere>(ray);
 }
 
 TEST(IntersectBall, FromOutsideAndInside_NearestBeyondTMin) {
-    EXPECT_FLOAT_EQ(*hit_ball(UnitRay{V3f(-3, 0, 0), V3f(1, 0, 0)}), 2);
-    EXPECT_FLOAT_EQ(*hit_ball(UnitRay{V3f(0, 0, 0), V3f(0, 1, 0)}), 1);
-    EXPECT_FALSE(hit_ball(UnitRay{V3f(3, 0, 0), V3f(1, 0, 0)}));
-    EXPECT_FALSE(hit_ball(UnitRay{V3f(-3, 0, 0), V3f(1, 0, 0), 2.5f, 3.5f}));
-    EXPECT_FLOAT_EQ(*hit_ball(UnitRay{V3f(-3, 0, 0), V3f(4, 0, 0)}), 0.5f);
+    EXPECT_FLOAT_EQ(*hit_sphere(UnitRay{V3f(-3, 0, 0), V3f(1, 0, 0)}), 2);
+    EXPECT_FLOAT_EQ(*hit_sphere(UnitRay{V3f(0, 0, 0), V3f(0, 1, 0)}), 1);
+    EXPECT_FALSE(hit_sphere(UnitRay{V3f(3, 0, 0), V3f(1, 0, 0)}));
+    EXPECT_FALSE(hit_sphere(UnitRay{V3f(-3, 0, 0), V3f(1, 0, 0), 2.5f, 3.5f}));
+    EXPECT_FLOAT_EQ(*hit_sphere(UnitRay{V3f(-3, 0, 0), V3f(4, 0, 0)}), 0.5f);
 }
 
 TEST(IntersectBall, FarAway_FloatFindsTheSurface) {
@@ -36,8 +36,8 @@ TEST(IntersectBall, FarAway_FloatFindsTheSurface) {
         const V3f origin = 1000.f * random_vector(random);
         const V3f aim = 0.6f * random_vector(random);
         const V3f direction = (aim - origin).normalized();
-        const auto t = hit_ball(UnitRay{origin, direction});
-        const auto exact = hit_ball(RaySegment<double>{Vec3(origin), Vec3(direction)});
+        const auto t = hit_sphere(UnitRay{origin, direction});
+        const auto exact = hit_sphere(RaySegment<double>{Vec3(origin), Vec3(direction)});
         // The aim is rounded to 1e-4 at this distance; most rays pass well inside.
         if (aim.length() < 0.9f) {
             ASSERT_TRUE(t && exact);
@@ -97,7 +97,7 @@ TEST(IntersectRectangle, EdgesAndCorners_BelongToIt) {
 
 /// The fraction of rays for which float and double differ by more than 1e-3 of the shape's size.
 template <ShapeKind kKind>
-double unlike_double(const V3f& profile) {
+double unlike_double(const V3f& parameters) {
     constexpr int kRays = 50'000;
     test::TestRandom random(5);
     int hits = 0;
@@ -106,9 +106,9 @@ double unlike_double(const V3f& profile) {
         const float far = i % 4 == 0 ? 100.f : 4.f;
         const V3f origin = far * random_vector(random);
         const V3f direction = (2.f * random_vector(random) - origin).normalized();
-        const auto narrow = intersect_unit_shape<kKind>(UnitRay{origin, direction}, profile);
+        const auto narrow = intersect_unit_shape<kKind>(UnitRay{origin, direction}, parameters);
         const auto exact = intersect_unit_shape<kKind>(
-            RaySegment<double>{Vec3(origin), Vec3(direction)}, Vec3(profile));
+            RaySegment<double>{Vec3(origin), Vec3(direction)}, Vec3(parameters));
         const bool is_alike =
             narrow.has_value() == exact.has_value() &&
             (!exact || std::abs(static_cast<double>(*narrow) - *exact) < 1e-3 * (1 + *exact));
@@ -121,7 +121,7 @@ double unlike_double(const V3f& profile) {
 
 TEST(IntersectUnitShape, EveryKind_FloatAgreesWithDouble) {
     constexpr double kGrazing = 2e-4;  // rays along an edge or silhouette
-    EXPECT_LT(unlike_double<ShapeKind::ball>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::sphere>(V3f(0)), kGrazing);
     EXPECT_LT(unlike_double<ShapeKind::box>(V3f(0)), kGrazing);
     EXPECT_LT(unlike_double<ShapeKind::rectangle>(V3f(0)), kGrazing);
     EXPECT_LT(unlike_double<ShapeKind::triangle>(V3f(0)), kGrazing);

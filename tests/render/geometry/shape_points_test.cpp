@@ -17,7 +17,7 @@ struct LaneHits {
     static constexpr int kNumbers = 56;       // of one hit
     static constexpr int kPointNumbers = 17;  // of one point
 
-    render::ShapeKind kind = render::ShapeKind::ball;
+    render::ShapeKind kind = render::ShapeKind::sphere;
     alignas(64) float hit[kNumbers][kMost];
     alignas(64) float point[kPointNumbers][kMost];
     int lanes = 0;

@@ -365,7 +365,7 @@ TEST_F(PictureFacts, GammaOfPng_IsBelieved) {
         png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, chunk.name, 1);
         png_set_unknown_chunks(png, info, &chunk, 1);
     };
-    const auto set_profile = [](png_structp png, png_infop info, const std::string& curve) {
+    const auto set_parameters = [](png_structp png, png_infop info, const std::string& curve) {
         const std::string data = profile(curve);
         png_set_option(png, PNG_SKIP_sRGB_CHECK_PROFILE, PNG_OPTION_ON);
         png_set_iCCP(png, info, "p", 0, reinterpret_cast<png_const_bytep>(data.data()),
@@ -380,14 +380,15 @@ TEST_F(PictureFacts, GammaOfPng_IsBelieved) {
     EXPECT_NEAR(gamma([](png_structp png, png_infop info) { png_set_gAMA(png, info, 0.55556); }),
                 1.8, 1e-4);
     EXPECT_EQ(gamma([](png_structp png, png_infop info) { png_set_sRGB(png, info, 0); }), 0);
-    EXPECT_EQ(gamma([&](png_structp png, png_infop info) { set_profile(png, info, linear); }), 1);
-    EXPECT_EQ(gamma([&](png_structp png, png_infop info) { set_profile(png, info, usual); }), 0);
-    EXPECT_NEAR(gamma([&](png_structp png, png_infop info) { set_profile(png, info, power); }), 1.8,
-                1e-4);
+    EXPECT_EQ(gamma([&](png_structp png, png_infop info) { set_parameters(png, info, linear); }),
+              1);
+    EXPECT_EQ(gamma([&](png_structp png, png_infop info) { set_parameters(png, info, usual); }), 0);
+    EXPECT_NEAR(gamma([&](png_structp png, png_infop info) { set_parameters(png, info, power); }),
+                1.8, 1e-4);
     // The first of cICP, iCCP, sRGB and gAMA counts.
     EXPECT_EQ(gamma([&](png_structp png, png_infop info) {
                   png_set_gAMA(png, info, 1);
-                  set_profile(png, info, usual);
+                  set_parameters(png, info, usual);
               }),
               0);
     EXPECT_EQ(gamma([&](png_structp png, png_infop info) {
@@ -396,7 +397,7 @@ TEST_F(PictureFacts, GammaOfPng_IsBelieved) {
               }),
               1);
     EXPECT_EQ(gamma([&](png_structp png, png_infop info) {
-                  set_profile(png, info, linear);
+                  set_parameters(png, info, linear);
                   code_points(png, info, 13);
               }),
               0);

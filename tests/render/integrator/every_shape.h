@@ -58,7 +58,7 @@ inline Vec3 place_of(std::size_t index, const std::string& name) {
     return name == "plane" ? Vec3(0, 0, -0.3) : Vec3(x, y, 0.22);
 }
 
-inline Quat turn_of(std::size_t index, const std::string& name) {
+inline Quat rotation_of(std::size_t index, const std::string& name) {
     const double half = name == "plane" ? 0.02 : 0.2 + 0.1 * static_cast<double>(index % 4);
     return {std::cos(half), std::sin(half) * Vec3(0.6, -0.48, 0.64)};
 }
@@ -70,7 +70,7 @@ inline void add_every_shape(SceneBuilder& builder, Placement placement,
         Mat44 map;
         map.setScale(shapes[i].scale);
         if (placement == Placement::turned) {
-            map = map * turn_of(i, shapes[i].name).toMatrix44();
+            map = map * rotation_of(i, shapes[i].name).toMatrix44();
         }
         if (placement != Placement::moving) {
             map = map * moved_to(place_of(i, shapes[i].name));
@@ -92,7 +92,7 @@ inline std::vector<sim::Track> tracks_of_every_shape(double shutter) {
         constexpr double kTurn = 0.4;  // rad
         sim::Key first;
         first.position = place_of(i, shapes[i].name);
-        first.orientation = turn_of(i, shapes[i].name);
+        first.orientation = rotation_of(i, shapes[i].name);
         first.velocity_in = first.velocity_out = Vec3(2, 1, 0.5);
         first.angular_velocity_in = first.angular_velocity_out = kTurn / shutter * axis;
         sim::Key last = first;

@@ -316,7 +316,7 @@ std::vector<RadianceSample> sights_of(const render::Integrator& integrator,
     const auto workspace = integrator.make_workspace();
     std::size_t first = 0;
     for (const CameraBatch& batch : batches) {
-        integrator.look(CameraRun::all(batch), spread, &seen[first], workspace.get());
+        integrator.trace_first_hits(CameraRun::all(batch), spread, &seen[first], workspace.get());
         first += static_cast<std::size_t>(batch.count);
     }
     seen.resize(first);

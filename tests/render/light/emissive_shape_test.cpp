@@ -14,7 +14,7 @@ namespace {
 struct ShapeCase {
     const char* name;
     ShapeKind kind;
-    V3f profile{0, 0, 0};
+    V3f parameters{0, 0, 0};
     double area;  // of the unit shape
 };
 
@@ -33,7 +33,7 @@ std::vector<ShapeCase> shape_cases() {
 
 EmissiveShape made(const ShapeCase& shape, const Mat44& world_from_unit) {
     return *EmissiveShape::make({shape.kind, false, 1, Affine::narrowed(world_from_unit.inverse()),
-                                 Affine::narrowed(world_from_unit), shape.profile, 10},
+                                 Affine::narrowed(world_from_unit), shape.parameters, 10},
                                 V3f(1, 1, 1));
 }
 
@@ -44,11 +44,12 @@ double off_surface(const ShapeCase& shape, const V3f& p) {
         return std::max(std::abs(static_cast<double>(p.z)), across - 1);
     }
     if (shape.kind == ShapeKind::frustum) {
-        const double radius = static_cast<double>(shape.profile.x + shape.profile.y * p.z);
+        const double radius = static_cast<double>(shape.parameters.x + shape.parameters.y * p.z);
         const double beyond = std::max(across - radius, std::abs(static_cast<double>(p.z)) - 1);
         return std::abs(beyond);
     }
-    const V3f core = shape.kind == ShapeKind::capsule ? V3f(0, 0, shape.profile.x) : shape.profile;
+    const V3f core =
+        shape.kind == ShapeKind::capsule ? V3f(0, 0, shape.parameters.x) : shape.parameters;
     V3f arm;
     for (int axis = 0; axis < 3; ++axis) {
         arm[axis] = std::max(0.0f, std::abs(p[axis]) - core[axis]);
@@ -85,7 +86,7 @@ TEST(EmissiveShape, Samples_LieOnTheShapeAndCoverItsProjection) {
         }
         // Cauchy: a convex body shows a quarter of its area; a one-sided disk on average as much.
         EXPECT_NEAR(mean_projection, shape.area / 4, 0.015 * shape.area / 4) << shape.name;
-        if (shape.kind != ShapeKind::disk && shape.profile.y >= 0) {
+        if (shape.kind != ShapeKind::disk && shape.parameters.y >= 0) {
             // From far away a point or its opposite faces, except for caps seen from the side.
             EXPECT_GT(facing, 0.998 * kReceivers * 10) << shape.name;
         }
@@ -103,7 +104,7 @@ TEST(EmissiveShape, DensityOfAHit_IsThatOfTheSample) {
     map[3][0] = 0.4;
     map[3][2] = 0.2;
     std::vector<ShapeCase> cases = shape_cases();
-    cases.push_back({"ellipsoid", ShapeKind::ball, {0, 0, 0}, 4 * kPi64});
+    cases.push_back({"ellipsoid", ShapeKind::sphere, {0, 0, 0}, 4 * kPi64});
     for (const ShapeCase& shape : cases) {
         const EmissiveShape emitter = made(shape, map);
         const Affine unit_from_world = emitter.constants().unit_from_body;
@@ -122,13 +123,14 @@ TEST(EmissiveShape, DensityOfAHit_IsThatOfTheSample) {
             if (shape.kind == ShapeKind::disk) {
                 unit_normal = V3f(0, 0, 1);
             } else if (shape.kind == ShapeKind::frustum) {
-                unit_normal = std::abs(place.z) > 0.9999f
-                                  ? V3f(0, 0, place.z)
-                                  : V3f(place.x / std::hypot(place.x, place.y),
-                                        place.y / std::hypot(place.x, place.y), -shape.profile.y);
-            } else if (shape.kind != ShapeKind::ball) {
-                const V3f core =
-                    shape.kind == ShapeKind::capsule ? V3f(0, 0, shape.profile.x) : shape.profile;
+                unit_normal =
+                    std::abs(place.z) > 0.9999f
+                        ? V3f(0, 0, place.z)
+                        : V3f(place.x / std::hypot(place.x, place.y),
+                              place.y / std::hypot(place.x, place.y), -shape.parameters.y);
+            } else if (shape.kind != ShapeKind::sphere) {
+                const V3f core = shape.kind == ShapeKind::capsule ? V3f(0, 0, shape.parameters.x)
+                                                                  : shape.parameters;
                 for (int axis = 0; axis < 3; ++axis) {
                     unit_normal[axis] = std::copysign(
                         std::max(0.0f, std::abs(place[axis]) - core[axis]), place[axis]);
@@ -151,7 +153,7 @@ TEST(EmissiveShape, DensityOfAHit_IsThatOfTheSample) {
 TEST(EmissiveShape, WithinOrBehind_NothingArrives) {
     test::TestRandom random(31);
     std::vector<ShapeCase> cases = shape_cases();
-    cases.push_back({"ball", ShapeKind::ball, {0, 0, 0}, 4 * kPi64});
+    cases.push_back({"ball", ShapeKind::sphere, {0, 0, 0}, 4 * kPi64});
     for (const ShapeCase& shape : cases) {
         const EmissiveShape emitter = made(shape, Mat44());
         const V3f point =
@@ -170,7 +172,7 @@ TEST(EmissiveShape, FlatFacesAndPlanes_AreNotMadeHere) {
         shape.kind = kind;
         EXPECT_FALSE(EmissiveShape::make(shape, V3f(1, 1, 1)));
     }
-    EXPECT_TRUE(EmissiveShape::make({}, V3f(0, 0, 0))->is_dark());
+    EXPECT_TRUE(EmissiveShape::make({}, V3f(0, 0, 0))->is_black());
 }
 
 }  // namespace

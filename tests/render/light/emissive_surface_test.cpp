@@ -97,9 +97,9 @@ TEST(EmissiveSurface, FromBehind_NothingArrives) {
 }
 
 TEST(EmissiveSurface, WithoutArea_IsDark) {
-    EXPECT_TRUE(EmissiveSurface({}, V3f(1, 1, 1)).is_dark());
+    EXPECT_TRUE(EmissiveSurface({}, V3f(1, 1, 1)).is_black());
     const V3f p(1, 2, 3);
-    EXPECT_TRUE(EmissiveSurface({{p, p, p}}, V3f(1, 1, 1)).is_dark());
+    EXPECT_TRUE(EmissiveSurface({{p, p, p}}, V3f(1, 1, 1)).is_black());
     LightSet lights;
     lights.add(3, EmissiveObject(EmissiveSurface({}, V3f(1, 1, 1))));
     EXPECT_EQ(lights.sampled_count(), 0U);

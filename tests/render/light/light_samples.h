@@ -37,14 +37,15 @@ template <class Emitter>
                                                              const V2f& u) {
     using scalar::One;
     const EnvironmentPicture picture = light.picture();
-    const auto found = scalar::sample_sky<One>(picture, u);
+    const auto found = scalar::sample_environment_map<One>(picture, u);
     return if_valid({found.direction, kInfinity, found.pdf,
-                     scalar::sky_radiance<One>(picture, found.uv), found.valid});
+                     scalar::environment_radiance<One>(picture, found.uv), found.valid});
 }
 [[nodiscard]] inline float pdf(const Environment& light, const V3f& direction) {
     using scalar::One;
     const EnvironmentPicture picture = light.picture();
-    return scalar::sky_density<One>(picture, direction, scalar::sky_place<One>(picture, direction));
+    return scalar::environment_pdf<One>(picture, direction,
+                                        scalar::environment_uv<One>(picture, direction));
 }
 
 }  // namespace carom::render

@@ -19,16 +19,16 @@ Sky clear_sky(double elevation) {
 }
 
 double luminance_at(const Sky& sky, double azimuth, double elevation) {
-    return luminance(
-        sky_radiance(sky, V3f(Vec3(std::cos(azimuth) * std::cos(elevation),
-                                   std::sin(azimuth) * std::cos(elevation), std::sin(elevation)))));
+    return luminance(environment_radiance(
+        sky, V3f(Vec3(std::cos(azimuth) * std::cos(elevation),
+                      std::sin(azimuth) * std::cos(elevation), std::sin(elevation)))));
 }
 
 // The model's own formula for the zenith: 5.39 kcd/m^2 at turbidity 3 and 45 degrees.
 TEST(Sky, Zenith_HasTheModelsLuminanceAndIsBlue) {
     const double chi = (4.0 / 9 - 3.0 / 120) * (M_PI / 2);
     const double kcd = (4.0453 * 3 - 4.9710) * std::tan(chi) - 0.2155 * 3 + 2.4192;
-    const V3f zenith = sky_radiance(clear_sky(M_PI / 4), V3f(0, 0, 1));
+    const V3f zenith = environment_radiance(clear_sky(M_PI / 4), V3f(0, 0, 1));
     EXPECT_NEAR(luminance(zenith), 1000 * kcd / 179, 0.01 * 1000 * kcd / 179);
     EXPECT_GT(zenith.z, 1.5f * zenith.x);
     EXPECT_GT(zenith.y, zenith.x);
@@ -54,7 +54,7 @@ TEST(Sky, AsEnvironment_ShinesFromItsSunAndIsSampledByItsDensity) {
     ASSERT_TRUE(environment.is_sampled());
     for (const V3f& direction :
          {V3f(0.6f, 0.3f, 0.74f).normalized(), V3f(-0.5f, -0.5f, 0.7f).normalized()}) {
-        const float exact = luminance(sky_radiance(*light.sky, direction));
+        const float exact = luminance(environment_radiance(*light.sky, direction));
         EXPECT_NEAR(luminance(environment.radiance(direction)), exact, 0.02 * exact);
     }
     test::DensityTest setup;

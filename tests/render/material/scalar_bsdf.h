@@ -65,7 +65,8 @@ class Bsdf {
     /// Empty: the light is absorbed.
     [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V2f& u) const {
         const bool splits = layers != Layers::all;
-        const bool takes_coat = splits ? layers == Layers::coat : u.x < bsdf_.lobes.coat_choice;
+        const bool takes_coat =
+            splits ? layers == Layers::coat : u.x < bsdf_.lobes.coat_probability;
         const scalar::Vec2<float> rest{scalar::after_choice<One>(bsdf_, splits, u.x), u.y};
         const auto to = takes_coat ? scalar::sample_coat<One>(bsdf_, splits, !splits, rest)
                                    : scalar::sample_base<One>(bsdf_, splits, rest);

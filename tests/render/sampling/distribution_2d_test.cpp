@@ -14,11 +14,11 @@ namespace {
 
 using scalar::One;
 
-scalar::PlaceOf<One> sample(const Distribution2D& distribution, const V2f& u) {
-    return scalar::sample_cells<One>(distribution.tables(), u);
+scalar::UvSampleOf<One> sample(const Distribution2D& distribution, const V2f& u) {
+    return scalar::sample_piecewise_constant<One>(distribution.tables(), u);
 }
 float pdf(const Distribution2D& distribution, const V2f& uv) {
-    return scalar::density_of_cells<One>(distribution.tables(), uv);
+    return scalar::pdf_piecewise_constant<One>(distribution.tables(), uv);
 }
 
 std::vector<float> varied_weights(int width, int height) {

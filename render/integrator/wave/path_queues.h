@@ -16,7 +16,7 @@ namespace carom::render {
 
 /// Largest number of camera samples in a wave, and of paths: a sample may split twice.
 inline constexpr int kWaveSamples = 512;
-inline constexpr int kWavePaths = 10 * kWaveSamples;
+inline constexpr int kQueuePaths = 10 * kWaveSamples;
 
 /// Numbers for vector code, which may read and write beyond the last one. All are 0 at first, so
 /// that what lies there is harmless.
@@ -59,7 +59,7 @@ struct Floats3 {
 
 /// Path and LastScattering (path_state.h) of many paths; all paths lead to a vertex of the same
 /// index.
-struct PathWave {
+struct PathQueue {
     int count = 0;
     int vertex = 0;
     Words slot;  // the camera sample that the path belongs to
@@ -67,30 +67,31 @@ struct PathWave {
     Floats3 origin, direction;
     Floats time;
     Floats3 throughput;
-    Floats width, spread;
+    Floats cone_width, cone_spread;
     Floats3 last_position, last_normal;
     Floats pdf;
     Floats total_importance, environment_samples;
     Words is_delta, connects;  // 1 or 0
-    /// LastScattering::connected_ball, with this bit if the path passed the ball.
-    static constexpr std::int32_t kPassedBall = 1 << 30;
-    Words connected_ball;
-    Words entered_ball;  // set in scenes with surfaces that transmit
+    /// LastScattering::connected_sphere, with this bit if the path passed the sphere.
+    static constexpr std::int32_t kPassedSphere = 1 << 30;
+    Words connected_sphere;
+    Words entered_sphere;  // set in scenes with surfaces that transmit
 
     /// Pointers to all arrays.
     static constexpr auto fields() {
-        return std::tuple(&PathWave::slot, &PathWave::branch, &PathWave::origin,
-                          &PathWave::direction, &PathWave::time, &PathWave::throughput,
-                          &PathWave::width, &PathWave::spread, &PathWave::last_position,
-                          &PathWave::last_normal, &PathWave::pdf, &PathWave::total_importance,
-                          &PathWave::environment_samples, &PathWave::is_delta, &PathWave::connects,
-                          &PathWave::connected_ball, &PathWave::entered_ball);
+        return std::tuple(&PathQueue::slot, &PathQueue::branch, &PathQueue::origin,
+                          &PathQueue::direction, &PathQueue::time, &PathQueue::throughput,
+                          &PathQueue::cone_width, &PathQueue::cone_spread,
+                          &PathQueue::last_position, &PathQueue::last_normal, &PathQueue::pdf,
+                          &PathQueue::total_importance, &PathQueue::environment_samples,
+                          &PathQueue::is_delta, &PathQueue::connects, &PathQueue::connected_sphere,
+                          &PathQueue::entered_sphere);
     }
     void reserve(int paths) {
         std::apply([&](auto... field) { ((this->*field).reserve(paths), ...); }, fields());
     }
     /// Appends other paths.
-    void append(const PathWave& more) {
+    void append(const PathQueue& more) {
         std::apply([&](auto... field) { (copy(more.*field, more.count, this->*field), ...); },
                    fields());
         count += more.count;
@@ -118,9 +119,9 @@ struct PathWave {
         path.last.pdf = pdf.at[i];
         path.last.is_delta = is_delta.at[i] != 0;
         path.last.connects = connects.at[i] != 0;
-        const std::int32_t ball = connected_ball.at[i];
-        path.last.connected_ball = ball < 0 ? -1 : ball & ~kPassedBall;
-        path.last.passed_ball = ball >= 0 && (ball & kPassedBall) != 0;
+        const std::int32_t sphere = connected_sphere.at[i];
+        path.last.connected_sphere = sphere < 0 ? -1 : sphere & ~kPassedSphere;
+        path.last.passed_sphere = sphere >= 0 && (sphere & kPassedSphere) != 0;
         path.last.all_lights = vertex == 1;
         path.last.total_importance = total_importance.at[i];
         path.vertex = vertex;
@@ -141,11 +142,11 @@ struct PathWave {
 };
 
 /// The vertices of a wave.
-struct VertexWave {
+struct SurfaceQueue {
     int count = 0;
     bool has_gloss = false;  // some of them have a rough coat that is sampled several times
     bool some_end = false;   // `ends` is set
-    Words path;              // index in the PathWave
+    Words path;              // index in the PathQueue
     Words object;
     Words material;
     Floats distance;  // along the path's ray, m
@@ -170,7 +171,7 @@ struct VertexWave {
 
 /// Shadow rays of the vertices [first, last) of a wave, `rays` for each vertex. The first rays of
 /// all vertices are stored before the second ones.
-struct ShadowWave {
+struct ShadowQueue {
     /// About as many rays are traced together, but always those of one vector of vertices.
     static constexpr int kRays = 32 * kWaveSamples;
     static constexpr int kLanes = 16;
@@ -237,7 +238,7 @@ struct ShadowWave {
 };
 
 /// What belongs to the camera samples of a wave.
-struct SampleWave {
+struct CameraSamples {
     Words pixel_hash, reversed_sample;  // of their random numbers
 
     void reserve(int samples) {
@@ -247,7 +248,7 @@ struct SampleWave {
 };
 
 /// Indices of vertices or paths.
-struct WaveList {
+struct IndexList {
     int count = 0;
     Words at;
 
@@ -256,8 +257,8 @@ struct WaveList {
 };
 
 /// Paths that left the scene, and the radiance that they bring.
-struct MissWave {
-    WaveList paths;
+struct EscapedQueue {
+    IndexList paths;
     Floats3 light;  // by the place in the list
 
     void reserve(int most) {
