@@ -101,7 +101,7 @@ std::optional<EmissiveObject> emissive_object(const StaticGeometry& geometry, st
     }
     const auto shape = EmissiveShape::make(
         {object.kind, object.is_round, object.half_size.x, object.frame.unit_from_world,
-         object.frame.world_from_unit, object.profile, object.bounding_radius},
+         object.frame.world_from_unit, object.parameters, object.bounding_radius},
         radiance);
     return shape ? EmissiveObject(*shape)
                  : EmissiveObject(EmissiveSurface(flat_faces(geometry, index), radiance));

@@ -151,7 +151,7 @@ RefractedConnections connect_through(const TransportScene& scene, const Specular
                                      const V2f& u) {
     const V3f centre = scene.frame.centre(sphere.object, time);
     const EmitterPoint target = point_of(scene, sphere, light, centre, u);
-    const GlassConstants& glass = *sphere.material->layers().glass;
+    const GlassConstants& glass = *sphere.material->glass();
     const RefractedPaths paths =
         refracted_paths(receiver, target.position, centre, sphere.radius, glass.ior);
     RefractedConnections result;

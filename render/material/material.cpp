@@ -24,84 +24,83 @@ V3f limited(const V3f& c) {
     return {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f)};
 }
 
-LayerConstants make_layers(const StandardMaterial& m, AlbedoTables& tables) {
-    LayerConstants layers;
-    layers.coat_weight = fraction(m.coat.weight);
-    layers.coat_ior = static_cast<float>(std::clamp(m.coat.ior, 1.0, 3.0));
-    layers.coat_alpha = alpha_of(m.coat.roughness);
-    layers.sheen = fraction(m.sheen);
-    layers.sheen_colour = limited(V3f(m.sheen_colour));
-    layers.metal = fraction(m.metal);
-    layers.specular = fraction(m.specular);
-    layers.alpha = alpha_of(m.roughness);
-    if (layers.coat_weight > 0 && layers.coat_alpha > 0) {
-        layers.coat_albedo = tables.of_dielectric(layers.coat_alpha, layers.coat_ior);
-    }
-    if (layers.sheen > 0) {
-        layers.sheen_albedo = tables.of_sheen();
-    }
-    if (layers.alpha > 0 && layers.specular > 0) {
-        layers.specular_albedo = tables.of_dielectric(layers.alpha, kSpecularIor);
-    }
-    if (layers.alpha > 0 && layers.metal > 0) {
-        layers.mirror_albedo = tables.of_mirrors(layers.alpha);
-    }
-    layers.glass = glass_constants(m, tables);
-    layers.transmission = layers.glass ? fraction(m.transmission) : 0.0f;
-    return layers;
-}
-
 }  // namespace
 
 Material::Material(const StandardMaterial& description, ImageCache& images, AlbedoTables& tables)
     : texture_(description.base, images),
-      layers_(make_layers(description, tables)),
+      glass_(glass_constants(description, tables)),
       phong_(phong_model(description)),
       emission_(description.emission),
-      bump_(texture_.has_relief() ? fraction(description.bump) : 0.0f) {}
+      bump_(texture_.has_relief() ? fraction(description.bump) : 0.0f) {
+    set_phong();
+    set_layers(description, tables);
+}
 
 Material::Material(const PhongMaterial& description, ImageCache& images)
     : texture_(description.diffuse, images),
       phong_(phong_model(description)),
-      is_phong_(true),
-      emission_(description.emission) {}
+      emission_(description.emission) {
+    numbers_.any_phong = numbers_.is_phong = true;
+    set_phong();
+    numbers_.coat_ior = kSpecularIor;
+    numbers_.sheen_colour = V3f(1);
+    numbers_.glass = {kSpecularIor, 0, V3f(1)};
+}
 
-scalar::LayersOf<scalar::One> Material::numbers() const {
-    const auto numbers_of = [](const AlbedoTable& table) { return table.values().data(); };
-    scalar::LayersOf<scalar::One> numbers{};
-    numbers.coat_weight = layers_.coat_weight;
-    numbers.coat_ior = layers_.coat_ior;
-    numbers.coat_alpha = layers_.coat_alpha;
-    numbers.sheen = layers_.sheen;
-    numbers.sheen_colour = layers_.sheen_colour;
-    numbers.metal = layers_.metal;
-    numbers.specular = layers_.specular;
-    numbers.alpha = layers_.alpha;
-    numbers.transmission = layers_.transmission;
-    numbers.any_glass = is_glass();
-    numbers.any_phong = numbers.is_phong = is_phong_;
+void Material::set_layers(const StandardMaterial& m, AlbedoTables& tables) {
+    numbers_.coat_weight = fraction(m.coat.weight);
+    numbers_.coat_ior = static_cast<float>(std::clamp(m.coat.ior, 1.0, 3.0));
+    numbers_.coat_alpha = alpha_of(m.coat.roughness);
+    numbers_.sheen = fraction(m.sheen);
+    numbers_.sheen_colour = limited(V3f(m.sheen_colour));
+    numbers_.metal = fraction(m.metal);
+    numbers_.specular = fraction(m.specular);
+    numbers_.alpha = alpha_of(m.roughness);
+    if (numbers_.coat_weight > 0 && numbers_.coat_alpha > 0) {
+        keep(tables.of_dielectric(numbers_.coat_alpha, numbers_.coat_ior), numbers_.tables.coat);
+    }
+    if (numbers_.sheen > 0) {
+        keep(tables.of_sheen(), numbers_.tables.sheen);
+    }
+    if (numbers_.alpha > 0 && numbers_.specular > 0) {
+        keep(tables.of_dielectric(numbers_.alpha, kSpecularIor), numbers_.tables.specular);
+    }
+    if (numbers_.alpha > 0 && numbers_.metal > 0) {
+        keep(tables.of_mirrors(numbers_.alpha), numbers_.tables.mirror);
+    }
     static const GlassConstants kNone;
-    const GlassConstants& glass = is_glass() ? *layers_.glass : kNone;
-    numbers.glass = {glass.ior, glass.alpha, glass.tint};
-    numbers.phong = {phong_.specular,
-                     phong_.reflectance,
-                     phong_.transmittance,
-                     phong_.index,
-                     phong_.highlight_lobe.exponent,
-                     phong_.mirrored_lobe.exponent,
-                     phong_.through_lobe.exponent};
-    numbers.tables = {numbers_of(layers_.coat_albedo),
-                      numbers_of(layers_.sheen_albedo),
-                      numbers_of(layers_.specular_albedo),
-                      numbers_of(layers_.mirror_albedo),
-                      numbers_of(glass.reflected[0]),
-                      numbers_of(glass.reflected[1]),
-                      numbers_of(glass.kept[0]),
-                      numbers_of(glass.kept[1]),
-                      numbers_of(phong_.highlight_lobe.kept),
-                      numbers_of(phong_.mirrored_lobe.kept),
-                      numbers_of(phong_.through_lobe.kept)};
-    return numbers;
+    const GlassConstants& glass = glass_ ? *glass_ : kNone;
+    numbers_.any_glass = glass_ != nullptr;
+    numbers_.transmission = glass_ ? fraction(m.transmission) : 0.0f;
+    numbers_.glass = {glass.ior, glass.alpha, glass.tint};
+    if (glass.alpha > 0) {
+        keep(glass.reflected[0], numbers_.tables.reflected_outside);
+        keep(glass.reflected[1], numbers_.tables.reflected_inside);
+        keep(glass.kept[0], numbers_.tables.kept_outside);
+        keep(glass.kept[1], numbers_.tables.kept_inside);
+    }
+}
+
+void Material::set_phong() {
+    static const AlbedoTable kNone;
+    for (const float** numbers : AlbedoNumbers::each(numbers_.tables)) {
+        *numbers = kNone.values().data();
+    }
+    numbers_.phong = {phong_.specular,
+                      phong_.reflectance,
+                      phong_.transmittance,
+                      phong_.index,
+                      phong_.highlight_lobe.exponent,
+                      phong_.mirrored_lobe.exponent,
+                      phong_.through_lobe.exponent};
+    keep(phong_.highlight_lobe.kept, numbers_.tables.highlight);
+    keep(phong_.mirrored_lobe.kept, numbers_.tables.mirrored);
+    keep(phong_.through_lobe.kept, numbers_.tables.through);
+}
+
+void Material::keep(const AlbedoTable& table, const float*& numbers) {
+    tables_.push_back(std::make_shared<const AlbedoTable>(table));
+    numbers = tables_.back()->values().data();
 }
 
 std::optional<V3f> Material::constant_base() const {
@@ -110,31 +109,32 @@ std::optional<V3f> Material::constant_base() const {
 }
 
 bool Material::is_mirror() const {
-    const bool base_mirrors = layers_.alpha == 0 && (layers_.metal > 0 || layers_.specular > 0);
-    const bool coat_mirrors = layers_.coat_weight > 0 && layers_.coat_alpha == 0;
-    const bool coat_blurs = layers_.coat_weight > 0 && layers_.coat_alpha > 0;
-    if (is_phong_ || layers_.glass || bump_ > 0 || (base_mirrors && coat_blurs)) {
+    const bool base_mirrors = numbers_.alpha == 0 && (numbers_.metal > 0 || numbers_.specular > 0);
+    const bool coat_mirrors = numbers_.coat_weight > 0 && numbers_.coat_alpha == 0;
+    const bool coat_blurs = numbers_.coat_weight > 0 && numbers_.coat_alpha > 0;
+    if (is_phong() || is_glass() || bump_ > 0 || (base_mirrors && coat_blurs)) {
         return false;
     }
-    return base_mirrors ? layers_.sheen == 0 && constant_base().has_value() : coat_mirrors;
+    return base_mirrors ? numbers_.sheen == 0 && constant_base().has_value() : coat_mirrors;
 }
 
 bool Material::is_clear_glass() const {
-    return !is_phong_ && layers_.glass && layers_.glass->alpha == 0 && layers_.glass->ior > 1 &&
-           layers_.transmission >= 1 && layers_.coat_weight <= 0 && layers_.metal <= 0 &&
-           layers_.sheen <= 0 && bump_ <= 0;
+    return !is_phong() && glass_ && glass_->alpha == 0 && glass_->ior > 1 &&
+           numbers_.transmission >= 1 && numbers_.coat_weight <= 0 && numbers_.metal <= 0 &&
+           numbers_.sheen <= 0 && bump_ <= 0;
 }
 
 V3f Material::mirror_reflectance(float cosine) const {
-    const float coat = layers_.coat_weight > 0
-                           ? layers_.coat_weight * fresnel_dielectric<One>(cosine, layers_.coat_ior)
-                           : 0.0f;
-    if (layers_.alpha > 0 || (layers_.metal <= 0 && layers_.specular <= 0)) {
+    const float coat =
+        numbers_.coat_weight > 0
+            ? numbers_.coat_weight * fresnel_dielectric<One>(cosine, numbers_.coat_ior)
+            : 0.0f;
+    if (numbers_.alpha > 0 || (numbers_.metal <= 0 && numbers_.specular <= 0)) {
         return V3f(coat);
     }
-    const V3f metal = scalar::fresnel_schlick<One>(cosine, *constant_base()) * layers_.metal;
+    const V3f metal = scalar::fresnel_schlick<One>(cosine, *constant_base()) * numbers_.metal;
     const float highlight =
-        (1.0f - layers_.metal) * layers_.specular * fresnel_dielectric<One>(cosine, kSpecularIor);
+        (1.0f - numbers_.metal) * numbers_.specular * fresnel_dielectric<One>(cosine, kSpecularIor);
     return V3f(coat) + (metal + V3f(highlight)) * (1.0f - coat);
 }
 

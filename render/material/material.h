@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "render/geometry/ray.h"
 #include "render/material/albedo_tables.h"
@@ -15,29 +16,6 @@
 
 namespace carom::render {
 
-/// The part of a `standard` material that does not vary over the surface. From the top down: coat,
-/// sheen, then metal or dielectric highlight over a diffuse base. Each layer takes from the layers
-/// below what it scatters itself towards the viewer, so that no layering creates energy.
-struct LayerConstants {
-    float coat_weight = 0;
-    float coat_ior = 1.5f;
-    float coat_alpha = 0;  // 0: a smooth mirror
-    AlbedoTable coat_albedo;
-
-    float sheen = 0;
-    V3f sheen_colour{1, 1, 1};
-    AlbedoTable sheen_albedo;
-
-    float metal = 0;
-    float specular = 0;
-    float alpha = 0;  // of metal and highlight, 0: a smooth mirror
-    AlbedoTable specular_albedo;
-    AlbedoTable mirror_albedo;
-
-    float transmission = 0;                       // fraction of the base that is glass
-    std::shared_ptr<const GlassConstants> glass;  // null: not transmissive
-};
-
 /// Immutable; shared by all threads.
 class Material {
   public:
@@ -45,9 +23,10 @@ class Material {
     Material(const StandardMaterial& description, ImageCache& images, AlbedoTables& tables);
     Material(const PhongMaterial& description, ImageCache& images);
 
-    [[nodiscard]] const LayerConstants& layers() const { return layers_; }
     /// All numbers for kernels; borrows the tables.
-    [[nodiscard]] scalar::LayersOf<scalar::One> numbers() const;
+    [[nodiscard]] const scalar::LayersOf<scalar::One>& numbers() const { return numbers_; }
+    /// Null: not transmissive.
+    [[nodiscard]] const GlassConstants* glass() const { return glass_.get(); }
     [[nodiscard]] const Texture& texture() const { return texture_; }
     /// Strength of the texture's relief, 0 without one.
     [[nodiscard]] float bump() const { return bump_; }
@@ -71,17 +50,22 @@ class Material {
 
     /// Whether it transmits light.
     [[nodiscard]] bool is_transmissive() const {
-        return layers_.glass != nullptr || (is_phong_ && phong_.transmittance != V3f(0, 0, 0));
+        return is_glass() || (is_phong() && phong_.transmittance != V3f(0, 0, 0));
     }
 
-    [[nodiscard]] bool is_phong() const { return is_phong_; }
-    [[nodiscard]] bool is_glass() const { return layers_.glass != nullptr; }
+    [[nodiscard]] bool is_phong() const { return numbers_.any_phong; }
+    [[nodiscard]] bool is_glass() const { return numbers_.any_glass; }
 
   private:
+    void set_layers(const StandardMaterial& m, AlbedoTables& tables);
+    void set_phong();
+    void keep(const AlbedoTable& table, const float*& numbers);
+
     Texture texture_;
-    LayerConstants layers_;
+    scalar::LayersOf<scalar::One> numbers_{};
+    std::vector<std::shared_ptr<const AlbedoTable>> tables_;
+    std::shared_ptr<const GlassConstants> glass_;
     PhongModel phong_;
-    bool is_phong_ = false;
     V3f emission_{0, 0, 0};
     float bump_ = 0;
 };

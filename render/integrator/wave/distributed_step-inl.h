@@ -217,8 +217,8 @@ inline HWY_ATTR void send_rays(const DistributedStep& step, const LobeWave& lobe
             const M stays = hn::Gt(dot(near, outside), all(0.f));
             direction = select(spreads, select(stays, near, unit(basis.to_world(turned))), axis);
         }
-        const F width = gather(step.rays.width, v.ray);
-        const F cone = gather(step.rays.spread, v.ray);
+        const F width = gather(step.rays.cone_width, v.ray);
+        const F cone = gather(step.rays.cone_spread, v.ray);
         const PackedLanes goes(wanted);
         const int at = next.count;
         const F offset = load(step.vertices.offset, first);

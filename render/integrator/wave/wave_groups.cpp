@@ -39,7 +39,7 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     group.material = object.material;
     group.texture = &material.texture().data();
     group.bump = material.bump();
-    if (const auto& glass = material.layers().glass) {
+    if (const GlassConstants* glass = material.glass(); glass != nullptr) {
         group.absorption = glass->absorption;
     }
     group.has_texture = group.texture->kind != TextureKind::plain;
@@ -53,7 +53,7 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
 }
 
 std::uint8_t traits_of(const Material& material) {
-    const LayerConstants& layers = material.layers();
+    const auto& layers = material.numbers();
     const bool has_gloss = layers.coat_weight > 0 && layers.coat_alpha > 0;
     return static_cast<std::uint8_t>((material.is_transmissive() ? kTransmits : 0) |
                                      (material.is_emissive() ? kEmits : 0) |

@@ -7,7 +7,6 @@
 #include "render/material/kernels/glass.h"
 #include "render/material/kernels/lobes.h"
 #include "render/material/kernels/phong.h"
-#include "render/material/kernels/base_direction.h"
 #include "render/material/kernels/bsdf.h"
 #include "render/material/kernels/classic.h"
 #include "render/material/kernels/resolve.h"

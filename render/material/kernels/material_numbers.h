@@ -1,4 +1,4 @@
-// The numbers that describe materials (LayerConstants, GlassConstants, PhongModel), in lanes.
+// The numbers that describe materials, in lanes.
 // Included as render/lanes/kernels/vectors.h is.
 
 /// GlassConstants of the material in each lane.
@@ -36,7 +36,10 @@ struct PhongOf {
     }
 };
 
-/// LayerConstants of the material in each lane.
+/// The part of the material in each lane that does not vary over the surface. From the top down:
+/// coat, sheen, then metal or dielectric highlight over a diffuse base. Each layer takes from the
+/// layers below what it scatters itself towards the viewer, so that no layering creates energy. A
+/// lobe whose alpha is 0 is a smooth mirror.
 template <class L>
 struct LayersOf {
     typename L::Value coat_weight, coat_ior, coat_alpha;

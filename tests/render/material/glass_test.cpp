@@ -99,12 +99,12 @@ TEST(ClearGlass, Colour_AppliesAtTheSurfaceOrWithDistanceInside) {
     const auto sample = Bsdf(material, kNormal, kNormal).sample(Layers::all, V2f(0.9f, 0.5f));
     ASSERT_TRUE(sample);
     EXPECT_NEAR(sample->weight.y, 0.5f, 1e-6f);
-    EXPECT_FLOAT_EQ(material.layers().glass->transmittance(1).y, 1);
+    EXPECT_FLOAT_EQ(material.glass()->transmittance(1).y, 1);
 
     tinted.transmission_depth = 0.05;
     const Material deep = make(tinted);
-    EXPECT_NEAR(deep.layers().glass->transmittance(0.05f).y, 0.5f, 1e-6f);
-    EXPECT_NEAR(deep.layers().glass->transmittance(0.1f).z, 0.01f, 1e-6f);
+    EXPECT_NEAR(deep.glass()->transmittance(0.05f).y, 0.5f, 1e-6f);
+    EXPECT_NEAR(deep.glass()->transmittance(0.1f).z, 0.01f, 1e-6f);
     EXPECT_NEAR(Bsdf(deep, kNormal, kNormal).sample(Layers::all, V2f(0.9f, 0.5f))->weight.y, 1,
                 1e-6f);
 }
