@@ -206,7 +206,7 @@ std::vector<int> lanes_of(const CompareCommand& command) {
     if (command.lanes.empty()) {
         return {};
     }
-    const std::vector<int> all = numbers_of("--lanes", command.lanes, 4, 16);
+    std::vector<int> all = numbers_of("--lanes", command.lanes, 4, 16);
     for (const int lanes : all) {
         if (lanes != 4 && lanes != 8 && lanes != 16) {
             throw InputError("--lanes '" + command.lanes + "' names others than 4, 8 and 16");

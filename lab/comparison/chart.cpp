@@ -73,7 +73,7 @@ void draw_axis(SvgText& svg, const ChartAxis& axis, bool is_horizontal, double f
 /// The page: titles, a legend with a symbol for each series, and the panels, which are drawn
 /// further down if the legend needs more than two lines.
 std::string chart_svg(const Chart& chart, PlanPage page, double height,
-                      const std::function<void(SvgText&, std::size_t, Vec2)>& draw_symbol,
+                      const std::function<void(SvgText&, std::size_t, const Vec2&)>& draw_symbol,
                       const std::function<void(SvgText&)>& draw_panels) {
     constexpr double kFirst = 21.5;
     constexpr double kLine = 4;
@@ -212,7 +212,7 @@ std::vector<ChartAxis::Tick> ChartAxis::ticks() const {
 std::string line_chart_svg(const Chart& chart, const std::vector<double>& across,
                            const std::string& name_of_axis, PlanPage page) {
     constexpr double kBottom = kTop + kHeight;
-    const auto draw_symbol = [](SvgText& svg, std::size_t series, Vec2 at) {
+    const auto draw_symbol = [](SvgText& svg, std::size_t series, const Vec2& at) {
         svg.leaf("path", stroke_of(series, {at, at + Vec2(5, 0)}));
     };
     return chart_svg(chart, page, kBottom + 14, draw_symbol, [&](SvgText& svg) {
@@ -238,7 +238,7 @@ std::string bar_chart_svg(const Chart& chart, const std::vector<std::string>& gr
     for (const std::string& group : groups) {
         widest = std::max(widest, text_width(group, kFontSize));
     }
-    const auto draw_symbol = [](SvgText& svg, std::size_t series, Vec2 at) {
+    const auto draw_symbol = [](SvgText& svg, std::size_t series, const Vec2& at) {
         svg.leaf("rect", bar_of(rig_colour(series), at - Vec2(0, 1.1), 5, 2.2));
     };
     return chart_svg(chart, page, bottom + 10, draw_symbol, [&](SvgText& svg) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -234,7 +236,7 @@ class ComparisonRun {
                                   stop_};
         const render::StructureOptions structure{nullptr, shadow_rays == ShadowRays::any,
                                                  options_.sizes, triangle_test_};
-        const ComparedStructure result = meter_.measure(settings, kind, counts, structure, context);
+        ComparedStructure result = meter_.measure(settings, kind, counts, structure, context);
         done_ += settings.width == 1 ? 0 : 1;
         return result;
     }
@@ -296,9 +298,8 @@ bool is_linear(AccelerationKind kind) {
 
 std::vector<AccelerationKind> structures_from_text(const std::string& text) {
     std::vector<AccelerationKind> all;
-    for (const render::AccelerationName& known : render::kAccelerationNames) {
-        all.push_back(known.kind);
-    }
+    std::ranges::transform(render::kAccelerationNames, std::back_inserter(all),
+                           &render::AccelerationName::kind);
     if (text.empty()) {
         throw Error("no structure is given; use one of " + render::structure_names() + ", or all");
     }

@@ -1,5 +1,7 @@
 #include "lab/comparison/kernel_names.h"
 
+#include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "lab/comparison/named_list.h"
@@ -17,9 +19,7 @@ constexpr auto kNameOf = [](auto member) { return name(member); };
 
 std::vector<KernelName> kernels_from_text(const std::string& text) {
     std::vector<KernelName> all;
-    for (const KernelFacts& kernel : kKernels) {
-        all.push_back(kernel.kernel);
-    }
+    std::ranges::transform(kKernels, std::back_inserter(all), &KernelFacts::kernel);
     return named_in<KernelName>(text, "kernel", all, kNameOf);
 }
 
