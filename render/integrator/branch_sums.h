@@ -62,8 +62,9 @@ class BranchSums {
     /// `place`: of a branch of the second vertex.
     void set(std::uint32_t branch, int place) {
         first_[branch] = static_cast<std::uint8_t>(place);
-        last_[2 * branch] = static_cast<std::uint8_t>(2 * place);
-        last_[2 * branch + 1] = static_cast<std::uint8_t>(2 * place + 1);
+        const std::size_t twice = std::size_t{2} * branch;
+        last_[twice] = static_cast<std::uint8_t>(2 * place);
+        last_[twice + 1] = static_cast<std::uint8_t>(2 * place + 1);
         last_[branch] = static_cast<std::uint8_t>(2 * place + 1);  // was not split
     }
     void add_up(int first, int last) {

@@ -11,9 +11,8 @@ constexpr float kCoatReflectance = 0.04f;  // of index 1.5, straight on
 
 /// The BSDF times the cosine, for light from a direction on the viewer's side.
 V3f scattered(const scalar::BsdfOf<scalar::One>& bsdf, const V3f& direction) {
-    const auto world = direction;
-    const auto wi = bsdf.frame.from_world(world);
-    if (!scalar::side_of<scalar::One>(bsdf, world, wi.z).is_above) {
+    const auto wi = bsdf.frame.from_world(direction);
+    if (!scalar::side_of<scalar::One>(bsdf, direction, wi.z).is_above) {
         return {0, 0, 0};
     }
     const auto base = scalar::base_towards<scalar::One>(bsdf, wi, false);

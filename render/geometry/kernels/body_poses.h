@@ -52,8 +52,7 @@ template <class L>
 CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, typename L::Value time) {
     const PieceAt<L, RotationPiece> at(motion.turns, motion.rotation_count, time);
     const RotationPiece& first = *motion.turns;
-    const RotationOf<L> begin{at.place(first.world_from_body.r),
-                              at.vector(first.world_from_body.v)};
+    RotationOf<L> begin{at.place(first.world_from_body.r), at.vector(first.world_from_body.v)};
     const auto half_angle = at.place(first.half_angle);
     const auto turns = L::is_less(L::all(0), half_angle);
     if (L::none(turns)) {

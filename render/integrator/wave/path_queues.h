@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <new>
 #include <tuple>
 #include <vector>
 
 #include "render/acceleration/acceleration_structure.h"
+#include "render/acceleration/large_vector.h"
 #include "render/integrator/path_state.h"
 
 namespace carom::render {
@@ -26,18 +25,20 @@ struct WaveArray {
 
     T* at = nullptr;
 
+    WaveArray() = default;
+    WaveArray(const WaveArray&) = delete;
+    WaveArray& operator=(const WaveArray&) = delete;
+    WaveArray(WaveArray&&) noexcept = default;
+    WaveArray& operator=(WaveArray&&) noexcept = default;
+    ~WaveArray() = default;
+
     void reserve(int count) {
-        const auto size = static_cast<std::size_t>(count + kBeyond);
-        numbers.reset(new (kAlignment) T[size]());
-        at = numbers.get();
+        numbers_.assign(static_cast<std::size_t>(count) + kBeyond, T());
+        at = numbers_.data();
     }
 
   private:
-    static constexpr std::align_val_t kAlignment{64};
-    struct Free {
-        void operator()(T* array) const { ::operator delete[](array, kAlignment); }
-    };
-    std::unique_ptr<T[], Free> numbers;
+    LargeVector<T> numbers_;
 };
 using Floats = WaveArray<float>;
 using Words = WaveArray<std::int32_t>;

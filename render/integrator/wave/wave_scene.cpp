@@ -48,7 +48,7 @@ WaveMaterials make_materials(const std::vector<Material>& all) {
     };
     materials.transmits = has(&Material::is_transmissive);
     for (const Material& material : all) {
-        const auto numbers = material.numbers();
+        const auto& numbers = material.numbers();
         add_numbers(numbers, materials.layers);
         if (has(&Material::is_glass)) {
             add_numbers(numbers.glass, materials.glass);

@@ -129,7 +129,7 @@ CAROM_KERNEL LobeValueOf<L> without(typename L::Mask mask, const LobeValueOf<L>&
 template <class L>
 CAROM_KERNEL LobeValueOf<L> coat_towards(const BsdfOf<L>& bsdf, const Vec3<typename L::Value>& wi,
                                          typename L::Mask passes) {
-    const LobeValueOf<L> value =
+    LobeValueOf<L> value =
         coat_towards<L>(bsdf.layers, bsdf.lobes, bsdf.wo, on_viewers_side<L>(bsdf, wi, passes));
     if (bsdf.any_transmits) {
         return without<L>(passes, value);
