@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/acceleration/culling_data.h"
 #include "render/acceleration/mesh_entry.h"
 
 namespace carom::render {
@@ -20,6 +21,10 @@ struct Horizon {
     int width = 0, height = 0;  // cells; 0: there is no map
     std::vector<float> top;     // m, by cell, row by row in y
     std::vector<float> slope2;  // by cell; infinite where a neighbour is higher
+
+    [[nodiscard]] HorizonTables tables() const {
+        return {x, y, cells_per_metre, width, height, top.data(), slope2.data()};
+    }
 };
 
 /// Of static meshes; z is up. No map of few triangles, of which a ray is told soon enough.

@@ -193,17 +193,22 @@ void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
 
 namespace {
 
-/// The numbers of the rays that a mask names, and distances along them.
+/// The numbers of the rays that a mask names, and where they hit a shape.
 struct NamedRays {
     std::int32_t numbers[kBatch + RayBatch::kBeyond];
     float distances[kBatch + RayBatch::kBeyond];
     int count = 0;
 
-    explicit NamedRays(std::uint64_t rays) {
+    /// Of a mesh without the distances, which differ by what is asked.
+    NamedRays(std::uint64_t rays, const MovingShape& shape, const RayBatch& batch,
+              const BatchKernels& kernels) {
         for (; rays != 0; rays &= rays - 1) {
             numbers[count++] = std::countr_zero(rays);
         }
-        std::fill_n(numbers + count, RayBatch::kBeyond, numbers[0]);
+        if (shape.mesh == nullptr) {
+            std::fill_n(numbers + count, RayBatch::kBeyond, numbers[0]);
+            kernels.hit_moving(shape, batch, numbers, count, distances);
+        }
     }
 };
 
@@ -211,16 +216,13 @@ struct NamedRays {
 
 void HybridStructure::find_moving(const MovingShape& shape, const RayBatch& part,
                                   std::uint64_t rays_of_shape, PartHits& best) const {
-    NamedRays rays(rays_of_shape);
-    if (shape.mesh == nullptr) {
-        batch_kernels_.hit_moving(shape, part, rays.numbers, rays.count, rays.distances);
-    }
+    const NamedRays rays(rays_of_shape, shape, part, batch_kernels_);
     for (int k = 0; k < rays.count; ++k) {
         const int i = rays.numbers[k];
-        Hit other{rays.distances[k], shape.object, 0, 0, 0};
-        if (shape.mesh == nullptr
-                ? other.t < kInfinity
-                : intersect_moving(shape, part.ray(i, just_beyond(best.t[i])), other)) {
+        Hit other;
+        if (shape.mesh == nullptr) {
+            best.offer(i, {rays.distances[k], shape.object, 0, 0, 0});
+        } else if (intersect_moving(shape, part.ray(i, just_beyond(best.t[i])), other)) {
             best.offer(i, other);
         }
     }
@@ -228,10 +230,7 @@ void HybridStructure::find_moving(const MovingShape& shape, const RayBatch& part
 
 void HybridStructure::occlude_by_moving(const MovingShape& shape, const RayBatch& part,
                                         std::uint64_t rays_of_shape, float* t) const {
-    NamedRays rays(rays_of_shape);
-    if (shape.mesh == nullptr) {
-        batch_kernels_.hit_moving(shape, part, rays.numbers, rays.count, rays.distances);
-    }
+    const NamedRays rays(rays_of_shape, shape, part, batch_kernels_);
     for (int k = 0; k < rays.count; ++k) {
         const int i = rays.numbers[k];
         if (shape.mesh == nullptr ? rays.distances[k] < t[i]

@@ -23,10 +23,12 @@ bool may_hit(const MovingShape& shape, const Ray& ray) {
 }
 
 Ray in_body_axes(const MovingShape& shape, const Ray& ray) {
-    const Imath::Quatf turn = shape.motion->world_from_body(ray.time);
+    using scalar::One;
+    const auto line =
+        scalar::pose_at<One>(shape.motion->pieces(), ray.time).in_body({ray.origin, ray.direction});
     Ray local = ray;
-    local.origin = rotate_back(turn, ray.origin - shape.motion->position(ray.time));
-    local.direction = rotate_back(turn, ray.direction);
+    local.origin = line.origin;
+    local.direction = line.direction;
     return local;
 }
 

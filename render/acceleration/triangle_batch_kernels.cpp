@@ -66,8 +66,9 @@ class WaitingRays {
                                       hn::FirstN(d, static_cast<std::size_t>(batch.count - first)));
         auto may_hit = hn::And(is_asked, rays.meet(tree.bounds));
         if (tree.horizon.width > 0) {
-            may_hit = hn::AndNot(pass_above<PacketLanes>(tree.horizon, rays.origin, rays.direction),
-                                 may_hit);
+            may_hit = hn::AndNot(
+                pass_above<PacketLanes>(tree.horizon.tables(), rays.origin, rays.direction),
+                may_hit);
         }
         if (hn::AllFalse(d, may_hit)) {
             return;
@@ -183,7 +184,7 @@ inline HWY_ATTR void occlude(const TriangleTree& tree, const RayBatch& batch, fl
 
 HWY_INLINE bool may_hit(const TriangleTree& tree, const Ray& ray) {
     using L = ScalarLanes<float>;
-    const Horizon& map = tree.horizon;
+    const HorizonTables map = tree.horizon.tables();
     const bool is_above = map.width > 0 && ray.t_min >= 0 &&
                           pass_above<L>(map, all_of<L>(ray.origin), all_of<L>(ray.direction));
     return !tree.blocks.empty() && !is_above;

@@ -27,15 +27,6 @@ struct TriangleNames {
     ObjectLanes number;  // index in the mesh
 };
 
-/// Two parallel planes with a leaf's triangles between them: low <= dot(normal, p) <= high. Where
-/// the triangles are coplanar, rays that leave or do not reach them need no other test.
-struct LeafSlab {
-    V3f normal;
-    float low, high;
-    float size;      // the largest coordinate of a corner, m
-    float rounding;  // bound on a hit's error along the normal, as a fraction of coordinates
-};
-
 struct TriangleTree {
     WideTree tree;
     Imath::Box3f bounds;                // of all triangles

@@ -13,10 +13,6 @@ scalar::TextureNeeds needs_of(const SceneObject& object) {
     return {object.has_texture, object.has_texture};
 }
 
-scalar::PoseOf<One> pose_at(const RigidMotion& motion, float time) {
-    return {motion.position(time), scalar::rotation_of(motion.world_from_body(time))};
-}
-
 Point point_of_sphere(const SceneObject& object, const RigidMotion* motion, const LocalRay& ray,
                       float time, float t) {
     const V3f centre =
@@ -26,7 +22,7 @@ Point point_of_sphere(const SceneObject& object, const RigidMotion* motion, cons
     if (object.has_texture) {
         auto arm = point.geometric_normal * radius;
         if (motion != nullptr) {
-            arm = scalar::rotation_of(motion->world_from_body(time)).undo(arm);
+            arm = scalar::rotation_at<One>(motion->pieces(), time).undo(arm);
         }
         scalar::set_place_on_sphere<One>(scalar::affine_of<One>(object.metres_from_world), arm,
                                          radius, needs_of(object), point);
@@ -64,7 +60,7 @@ Point point_of(const SceneObject& object, const RigidMotion* motion, const Ray& 
         return point_of_sphere(object, motion, in_world, ray.time, hit.t);
     }
     if (motion != nullptr) {
-        const scalar::PoseOf<One> body = pose_at(*motion, ray.time);
+        const auto body = scalar::pose_at<One>(motion->pieces(), ray.time);
         return scalar::moved<One>(body, point_in_body(object, body.in_body(in_world), hit));
     }
     if (object.is_upright_box) {

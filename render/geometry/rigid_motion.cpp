@@ -49,13 +49,14 @@ Imath::Box3f widened(const sim::Bounds& bounds) {
     return box;
 }
 
+Imath::Quatf quaternion_of(const scalar::RotationOf<scalar::One>& rotation) {
+    return {rotation.real, rotation.vector};
+}
+
 /// The orientation after this part of the piece, in [0, 1].
 Imath::Quatf turned(const RotationPiece& piece, float fraction) {
-    if (piece.half_angle == 0) {
-        return piece.world_from_body;
-    }
-    const auto turn = scalar::sin_cos<scalar::One>(fraction * piece.half_angle);
-    return Imath::Quatf(turn.cosine, turn.sine * piece.axis) * piece.world_from_body;
+    return quaternion_of(scalar::rotation_after<scalar::One>(
+        scalar::rotation_of(piece.world_from_body), piece.axis, fraction * piece.half_angle));
 }
 
 /// The rotation between two orientations, by less than half a turn.
@@ -138,8 +139,7 @@ V3f RigidMotion::position(float time) const {
 }
 
 Imath::Quatf RigidMotion::world_from_body(float time) const {
-    const auto turn = scalar::rotation_at<scalar::One>(pieces(), time);
-    return {turn.real, turn.vector};
+    return quaternion_of(scalar::rotation_at<scalar::One>(pieces(), time));
 }
 
 RigidMotion::Orientations RigidMotion::orientations() const {

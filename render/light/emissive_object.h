@@ -42,6 +42,7 @@ class EmissiveObject {
     [[nodiscard]] const RigidMotion* motion() const { return motion_.get(); }
 
   private:
+    [[nodiscard]] scalar::BodyOf<scalar::One> body_at(float time) const;
     template <class Visitor>
     [[nodiscard]] auto visit(const Visitor& visitor) const {
         const EmissiveSurface* surface = flat();

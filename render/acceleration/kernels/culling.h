@@ -29,7 +29,8 @@ CAROM_KERNEL typename L::Mask stay_beyond(const LeafSlab& slab,
 
 /// Whether rays pass above everything that the map shows. It must not be empty.
 template <class L>
-CAROM_KERNEL typename L::Mask pass_above(const Horizon& map, const Vec3<typename L::Value>& origin,
+CAROM_KERNEL typename L::Mask pass_above(const HorizonTables& map,
+                                         const Vec3<typename L::Value>& origin,
                                          const Vec3<typename L::Value>& direction) {
     const auto zero = L::all(0);
     const auto scale = L::all(map.cells_per_metre);
@@ -45,7 +46,7 @@ CAROM_KERNEL typename L::Mask pass_above(const Horizon& map, const Vec3<typename
     const auto cell = L::product(row, map.width) + column;
     const auto rise = direction.z;
     const auto way2 = direction.x * direction.x + direction.y * direction.y;
-    const auto is_steep = L::is_at_most(L::gather(map.slope2.data(), cell) * way2, rise * rise);
-    const auto is_above = L::is_less(L::gather(map.top.data(), cell), origin.z);
+    const auto is_steep = L::is_at_most(L::gather(map.slope2, cell) * way2, rise * rise);
+    const auto is_above = L::is_less(L::gather(map.top, cell), origin.z);
     return L::both(L::both(is_inside, is_above), L::both(L::is_at_most(zero, rise), is_steep));
 }

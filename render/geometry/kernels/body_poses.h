@@ -47,6 +47,15 @@ CAROM_KERNEL Vec3<typename L::Value> position_at(const MotionPieces& motion,
                             at.vector(first.c[3]), time - at.place(first.start));
 }
 
+/// `begin`, turned further by twice an angle about an axis.
+template <class L>
+CAROM_KERNEL RotationOf<L> rotation_after(const RotationOf<L>& begin,
+                                          const Vec3<typename L::Value>& axis,
+                                          typename L::Value half_angle) {
+    const SinCosOf<L> since = sin_cos_turn<L>(half_angle * L::all(0.5f * kInversePi));
+    return RotationOf<L>{since.cosine, axis * since.sine} * begin;
+}
+
 /// How the body is turned.
 template <class L>
 CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, typename L::Value time) {
@@ -61,13 +70,48 @@ CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, typename L::V
     const auto fraction = L::smaller(
         L::larger((time - at.place(first.start)) * at.place(first.inverse_duration), L::all(0)),
         L::all(1));
-    const SinCosOf<L> since = sin_cos_turn<L>(fraction * half_angle * L::all(0.5f * kInversePi));
     const RotationOf<L> all =
-        RotationOf<L>{since.cosine, at.vector(first.axis) * since.sine} * begin;
+        rotation_after<L>(begin, at.vector(first.axis), fraction * half_angle);
     return {L::select(turns, all.real, begin.real), select<L>(turns, all.vector, begin.vector)};
 }
 
 template <class L>
 CAROM_KERNEL PoseOf<L> pose_at(const MotionPieces& motion, typename L::Value time) {
     return {position_at<L>(motion, time), rotation_at<L>(motion, time)};
+}
+
+/// The axes of a body that may be at rest, and whose orientation may not matter.
+template <class L>
+struct BodyOf {
+    bool moves, turns;
+    PoseOf<L> pose;
+
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> vector(
+        const Vec3<typename L::Value>& world) const {
+        return turns ? pose.rotation.undo(world) : world;
+    }
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> point(
+        const Vec3<typename L::Value>& world) const {
+        return moves ? vector(world - pose.position) : world;
+    }
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> to_world(
+        const Vec3<typename L::Value>& vector) const {
+        return turns ? pose.rotation.apply(vector) : vector;
+    }
+};
+
+/// `motion` without pieces: at rest.
+template <class L>
+CAROM_KERNEL BodyOf<L> body_at(const MotionPieces& motion, bool is_round, typename L::Value time) {
+    const auto zero = L::all(0);
+    const bool moves = motion.path != nullptr;
+    BodyOf<L> body{
+        moves, moves && !is_round, {{zero, zero, zero}, {L::all(1), {zero, zero, zero}}}};
+    if (body.moves) {
+        body.pose.position = position_at<L>(motion, time);
+    }
+    if (body.turns) {
+        body.pose.rotation = rotation_at<L>(motion, time);
+    }
+    return body;
 }

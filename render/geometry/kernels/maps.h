@@ -73,11 +73,11 @@ CAROM_KERNEL RotationOf<L> operator*(const RotationOf<L>& a, const RotationOf<L>
 template <class L>
 struct PoseOf {
     Vec3<typename L::Value> position;
-    RotationOf<L> turn;
+    RotationOf<L> rotation;
 
     /// A ray of the world in the axes of the body.
     [[nodiscard]] CAROM_KERNEL RayOf<L> in_body(const RayOf<L>& ray) const {
-        return {turn.undo(ray.origin - position), turn.undo(ray.direction)};
+        return {rotation.undo(ray.origin - position), rotation.undo(ray.direction)};
     }
 };
 

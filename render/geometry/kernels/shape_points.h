@@ -101,8 +101,8 @@ CAROM_KERNEL SurfacePointOf<L> point_on_shape(ShapeKind kind, const MappedShapeO
 /// A point given in the axes of a body, in the world's.
 template <class L>
 CAROM_KERNEL SurfacePointOf<L> moved(const PoseOf<L>& body, SurfacePointOf<L> point) {
-    point.position = body.position + body.turn.apply(point.position);
-    point.geometric_normal = body.turn.apply(point.geometric_normal);
-    point.shading_normal = body.turn.apply(point.shading_normal);
+    point.position = body.position + body.rotation.apply(point.position);
+    point.geometric_normal = body.rotation.apply(point.geometric_normal);
+    point.shading_normal = body.rotation.apply(point.shading_normal);
     return point;
 }

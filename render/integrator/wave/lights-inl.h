@@ -24,33 +24,11 @@ struct PlaceLanes {
     F time;
 };
 
+using BodyLanes = BodyOf<Lanes>;
+
 /// The body of an emissive object at each path's time.
-struct BodyLanes {
-    bool moves, rotates;
-    F3 position;
-    RotationOf<Lanes> rotation;
-
-    [[nodiscard]] HWY_INLINE F3 vector(const F3& world) const {
-        return rotates ? rotation.undo(world) : world;
-    }
-    [[nodiscard]] HWY_INLINE F3 point(const F3& world) const {
-        return moves ? vector(world - position) : world;
-    }
-    [[nodiscard]] HWY_INLINE F3 to_world(const F3& vector) const {
-        return rotates ? rotation.apply(vector) : vector;
-    }
-};
-
 HWY_INLINE BodyLanes body_at(const WaveLight& light, F time) {
-    BodyLanes body{
-        light.motion != nullptr, light.rotates(), all(V3f(0, 0, 0)), {all(1.f), all(V3f(0, 0, 0))}};
-    if (body.moves) {
-        body.position = position_at<Lanes>(light.motion->pieces(), time);
-    }
-    if (body.rotates) {
-        body.rotation = rotation_at<Lanes>(light.motion->pieces(), time);
-    }
-    return body;
+    return body_at<Lanes>(light.motion, light.is_round, time);
 }
 
 HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const PlaceLanes& place,

@@ -23,7 +23,9 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     }
     if (index >= lights.first_emissive()) {
         const EmissiveObject& object = lights.emissive_object(index);
-        light.motion = object.motion();
+        if (object.motion() != nullptr) {
+            light.motion = object.motion()->pieces();
+        }
         if (const EmissiveShape* shape = object.curved()) {
             light.kind = WaveLight::Kind::curved_object;
             light.shape = shape->constants();
@@ -47,13 +49,15 @@ WaveMaterials make_materials(const std::vector<Material>& all) {
                            [&](const Material& material) { return (material.*trait)(); });
     };
     materials.transmits = has(&Material::is_transmissive);
+    const bool has_glass = has(&Material::is_glass);
+    const bool has_phong = has(&Material::is_phong);
     for (const Material& material : all) {
         const auto& numbers = material.numbers();
         add_numbers(numbers, materials.layers);
-        if (has(&Material::is_glass)) {
+        if (has_glass) {
             add_numbers(numbers.glass, materials.glass);
         }
-        if (has(&Material::is_phong)) {
+        if (has_phong) {
             add_numbers(numbers.phong, materials.phong);
         }
         materials.is_phong.push_back(material.is_phong() ? 1.0F : 0.0F);

@@ -22,15 +22,10 @@ struct WaveLight {
     bool is_round = false;
     AreaLightConstants area;
     DeltaLightConstants delta;
-    EmissiveShapeConstants shape;         // of a curved object
-    EmissiveSurfaceConstants surface;     // of a flat object
-    const RigidMotion* motion = nullptr;  // of an object that moves
+    EmissiveShapeConstants shape;      // of a curved object
+    EmissiveSurfaceConstants surface;  // of a flat object
+    MotionPieces motion;               // of an object that moves
 
-    /// Whether the orientation of its body matters.
-    [[nodiscard]] bool rotates() const {
-        return motion != nullptr &&
-               (kind == Kind::flat_object || shape.kind != EmissiveShapeConstants::Kind::sphere);
-    }
     [[nodiscard]] bool is_environment() const { return kind == Kind::environment; }
 };
 

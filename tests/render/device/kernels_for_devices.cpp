@@ -18,6 +18,7 @@
 
 #include "core/colour.h"
 #include "core/elementary_float.h"
+#include "render/acceleration/culling_data.h"
 #include "render/camera/camera_constants.h"
 #include "render/geometry/affine.h"
 #include "render/geometry/constants.h"
@@ -25,6 +26,7 @@
 #include "render/geometry/mesh_arrays.h"
 #include "render/geometry/motion_pieces.h"
 #include "render/geometry/shape_kind.h"
+#include "render/integrator/path_constants.h"
 #include "render/lanes/scalar_lanes.h"
 #include "render/light/light_constants.h"
 #include "render/material/albedo_numbers.h"
@@ -47,6 +49,8 @@ namespace carom::render::device {
 #include "render/material/kernels/all.h"
 #include "render/light/kernels/all.h"
 #include "render/camera/kernels/thin_lens.h"
+#include "render/integrator/kernels/all.h"
+#include "render/acceleration/kernels/culling.h"
 // clang-format on
 
 namespace triangles {
@@ -71,6 +75,8 @@ struct Scene {
     EnvironmentPicture sky;
     MeshArrays mesh;
     MotionPieces motion;
+    HorizonTables horizon;
+    LeafSlab slab;
     const float* materials;
     AlbedoNumbers albedos;
 };
@@ -203,6 +209,16 @@ CAROM_KERNEL void scatter(const Scene& scene, const Vec3<float>& normal, const V
     }
 }
 
+CAROM_KERNEL void follow(const Scene& scene, const RayOf<L>& ray, const Vec2<float>& u,
+                         const Sum& sum) {
+    sum.add(pass_above<L>(scene.horizon, ray.origin, ray.direction) ? u.x : u.y);
+    sum.add(stay_beyond<L>(scene.slab, ray.origin, ray.direction, u.x) ? u.x : u.y);
+    sum.add(lattice_point<L>(u, 2, 5));
+    sum.add(power_heuristic<L>(u.x, u.y) * survival_of<L>(ray.origin));
+    sum.add(solid_angle_fraction<L>(ray.origin, ray.direction, u.x, u.y, 2));
+    sum.add(splitting_at<L>(0, 2, 3, u.x > u.y, u.x < u.y).any_gloss ? u.x : u.y);
+}
+
 CAROM_ENTRY kernels(CAROM_GLOBAL const Scene* scenes, CAROM_GLOBAL const unsigned* numbers,
                     CAROM_GLOBAL float* results) {
     const Scene& scene = *scenes;
@@ -216,6 +232,7 @@ CAROM_ENTRY kernels(CAROM_GLOBAL const Scene* scenes, CAROM_GLOBAL const unsigne
     hit_shapes(scene, {point, normal}, {u[3], u[1], u[0]}, sum);
     light(scene, point, normal, {u[1], u[3]}, sum);
     scatter(scene, normal, unit<L>(point), {u[1], u[3]}, sum);
+    follow(scene, {point, normal}, {u[0], u[3]}, sum);
 }
 
 }  // namespace carom::render::device
