@@ -7,44 +7,41 @@
 #include <hwy/highway.h>
 
 #include "render/camera/kernels-inl.h"
-#include "render/sampling/lanes-inl.h"
+#include "render/sampling/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-HWY_INLINE void store_rays(CameraBatch& batch, int first, const CameraRayOf<Lanes>& ray) {
-    const FloatTag d;
-    hn::StoreU(ray.origin.x, d, batch.origin[0] + first);
-    hn::StoreU(ray.origin.y, d, batch.origin[1] + first);
-    hn::StoreU(ray.origin.z, d, batch.origin[2] + first);
-    hn::StoreU(ray.direction.x, d, batch.direction[0] + first);
-    hn::StoreU(ray.direction.y, d, batch.direction[1] + first);
-    hn::StoreU(ray.direction.z, d, batch.direction[2] + first);
-    hn::StoreU(ray.time, d, batch.time + first);
-}
-
-HWY_INLINE F as_floats(const std::int32_t* words, int first) {
-    return hn::ConvertTo(FloatTag(), hn::LoadU(IntTag(), words + first));
+/// Makes the rays of the samples from `first` on.
+HWY_INLINE void make_rays_at(const CameraConstants& camera, const CameraFixings& fixings, int first,
+                             CameraBatch& batch) {
+    using L = Lanes;
+    const auto word = [&](const std::int32_t* words)
+                          HWY_ATTR { return L::to_word(L::load_int(words + first)); };
+    const auto number = [&](const std::int32_t* words)
+                            HWY_ATTR { return L::to_value(L::load_int(words + first)); };
+    const SamplerOf<L> sampler(word(batch.pixel_hash), word(batch.reversed_sample));
+    L::Value u[5];
+    sampler.get_camera_sample(u);
+    CameraNumbersOf<L> numbers{{u[0], u[1]}, {u[2], u[3]}, u[4]};
+    if (fixings.centred) {
+        numbers.pixel = {L::all(0.5F), L::all(0.5F)};
+    }
+    if (fixings.instantaneous) {
+        numbers.time = L::all(0.5F);
+    }
+    const CameraRayOf<L> ray = camera_ray<L>(camera, {number(batch.x), number(batch.y)}, numbers);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        L::store(ray.origin[axis], batch.origin[axis] + first);
+        L::store(ray.direction[axis], batch.direction[axis] + first);
+    }
+    L::store(ray.time, batch.time + first);
 }
 
 inline HWY_ATTR void make_rays_in_lanes(const CameraConstants& camera, const CameraFixings& fixings,
                                         CameraBatch& batch) {
-    const IntTag di;
-    for (int first = 0; first < batch.count; first += lane_count()) {
-        const LaneSampler sampler(
-            hn::BitCast(WordTag(), hn::LoadU(di, batch.pixel_hash + first)),
-            hn::BitCast(WordTag(), hn::LoadU(di, batch.reversed_sample + first)));
-        F u[5];
-        sampler.get_camera_sample(u);
-        CameraNumbersOf<Lanes> numbers{{u[0], u[1]}, {u[2], u[3]}, u[4]};
-        if (fixings.centred) {
-            numbers.pixel = {all(0.5f), all(0.5f)};
-        }
-        if (fixings.instantaneous) {
-            numbers.time = all(0.5f);
-        }
-        const V2 pixel{as_floats(batch.x, first), as_floats(batch.y, first)};
-        store_rays(batch, first, camera_ray<Lanes>(camera, pixel, numbers));
+    for (int first = 0; first < batch.count; first += Lanes::count()) {
+        make_rays_at(camera, fixings, first, batch);
     }
 }
 

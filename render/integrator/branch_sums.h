@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/integrator/path_state.h"
-#include "render/integrator/wave/path_queues.h"
+#include "render/integrator/wave/queue_memory.h"
 
 namespace carom::render {
 

@@ -49,23 +49,16 @@ void Caustics::add(const SpecularSphere& sphere) {
     spheres_.push_back(sphere);
     intensity_.push_back(total);
     pairs_.insert(pairs_.end(), intensities.begin(), intensities.end());
-    sphere_bounds_.x.push_back(middle.x);
-    sphere_bounds_.y.push_back(middle.y);
-    sphere_bounds_.z.push_back(middle.z);
-    sphere_bounds_.bounding_radius.push_back(sphere.radius + travel);
-    sphere_bounds_.radius2.push_back(sphere.radius * sphere.radius);
     const float fraction =
         sphere.refracts ? 1.0f : luminance(sphere.material->mirror_reflectance(1));
-    sphere_bounds_.gain.push_back(std::max(1.0f, fraction / kCoatReflectance));
+    sphere_bounds_.push_back({middle, sphere.radius + travel, sphere.radius * sphere.radius,
+                              std::max(1.0f, fraction / kCoatReflectance)});
 }
 
 inline float Caustics::weight(std::size_t sphere, const V3f& position, const V3f& normal) const {
-    const V3f to_sphere =
-        V3f(sphere_bounds_.x[sphere], sphere_bounds_.y[sphere], sphere_bounds_.z[sphere]) -
-        position;
+    const SphereBounds& bounds = sphere_bounds_[sphere];
     return scalar::solid_angle_fraction<scalar::One>(
-        to_sphere, normal, sphere_bounds_.bounding_radius[sphere], sphere_bounds_.radius2[sphere],
-        sphere_bounds_.gain[sphere]);
+        bounds.centre - position, normal, bounds.bounding_radius, bounds.radius2, bounds.gain);
 }
 
 // `own`: the sphere that the vertex lies on, which reflects nothing onto it.

@@ -8,6 +8,7 @@
 
 #include "render/integrator/path_state.h"
 #include "render/integrator/specular_connection.h"
+#include "render/integrator/sphere_bounds.h"
 #include "render/integrator/transport_scene.h"
 
 namespace carom::render {
@@ -45,16 +46,8 @@ class Caustics {
                pairs_[static_cast<std::size_t>(index_[object]) * light_count_ + light] > 0;
     }
 
-    /// The data by which spheres are chosen, as a structure of arrays.
-    struct SphereBounds {
-        std::vector<float> x, y, z;          // the centre of the box around all positions
-        std::vector<float> bounding_radius;  // from there to the farthest point of the surface
-        std::vector<float> radius2;
-        std::vector<float>
-            gain;  // its reflectance or transmittance over a coat's of index 1.5; >= 1
-    };
-    [[nodiscard]] const SphereBounds& sphere_bounds() const { return sphere_bounds_; }
-    /// By object: its index in `places`, or -1; objects beyond the end have none.
+    [[nodiscard]] const std::vector<SphereBounds>& sphere_bounds() const { return sphere_bounds_; }
+    /// By object: its index in `sphere_bounds`, or -1; objects beyond the end have none.
     [[nodiscard]] const std::vector<int>& sphere_of_object() const { return index_; }
 
   private:
@@ -72,7 +65,7 @@ class Caustics {
     std::size_t light_count_ = 0;
     std::vector<SpecularSphere> spheres_;
     std::vector<float> intensity_;  // by sphere: sum over its lights
-    SphereBounds sphere_bounds_;
+    std::vector<SphereBounds> sphere_bounds_;
     std::vector<int> index_;  // by object: into spheres_, or -1
     std::vector<float>
         pairs_;  // by sphere, then by light: the light's importance; 0: not connected

@@ -8,8 +8,8 @@
 namespace carom::render {
 namespace {
 
-WaveNumberTable make_models(const std::vector<Material>& materials) {
-    WaveNumberTable models;
+NumberRows make_models(const std::vector<Material>& materials, SceneArena& arena) {
+    NumberTable models;
     for (const Material& material : materials) {
         const PhongModel& phong = material.phong();
         scalar::ClassicOf<scalar::One> model{};
@@ -30,9 +30,9 @@ WaveNumberTable make_models(const std::vector<Material>& materials) {
         model.reflectance_most = within(phong.reflectance_spread);
         model.transmittance_spread = phong.transmittance_spread;
         model.transmittance_most = within(phong.transmittance_spread);
-        add_numbers(model, models);
+        models.add(model);
     }
-    return models;
+    return models.rows(arena);
 }
 
 }  // namespace
@@ -42,10 +42,10 @@ struct DistributedIntegrator::Generation {
     PathQueue rays;
     SurfaceQueue vertices;
     LobeWave reflection, refraction;
+    QueueMemory memory;
 
     Generation() {
-        const auto reserve = [](auto&... parts) { (parts.reserve(kWaveSamples), ...); };
-        reserve(rays, vertices, reflection, refraction);
+        memory.reserve(kWaveSamples, rays, vertices, reflection, refraction);
         refraction.side = -1;
     }
 };
@@ -54,9 +54,11 @@ struct DistributedIntegrator::Generation {
 /// so that a sample's light is added up in the order of its tree.
 struct DistributedIntegrator::Forest final : Integrator::Workspace {
     explicit Forest(const DistributedIntegrator& integrator)
-        : surfaces(integrator.scene_, integrator.wave_scene_, best_wave_kernels(), kWaveSamples) {
-        const auto reserve = [](auto&... parts) { (parts.reserve(kWaveSamples), ...); };
-        reserve(shadows, own, samples, hit_rays);
+        : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_, kWaveSamples) {
+        memory.reserve(kWaveSamples, own, samples, hit_rays);
+        memory.reserve_shadows(kWaveSamples,
+                               integrator.shadow_rays(integrator.settings_.shadow_samples), false,
+                               shadows);
     }
     Generation& generation(int number) {
         while (generations.size() <= static_cast<std::size_t>(number)) {
@@ -71,6 +73,7 @@ struct DistributedIntegrator::Forest final : Integrator::Workspace {
     Floats3 own;
     CameraSamples samples;
     IndexList hit_rays;
+    QueueMemory memory;
     RadianceSample* results = nullptr;
     RenderStatistics* count = nullptr;
 };
@@ -79,13 +82,11 @@ DistributedIntegrator::DistributedIntegrator(const TransportScene& scene,
                                              const DistributedSettings& settings)
     : scene_(scene),
       settings_(settings),
-      wave_scene_(make_wave_scene(scene)),
-      models_(make_models(scene.materials)),
-      kernels_(&best_distributed_kernels()) {
+      wave_scene_(make_wave_scene(scene, arena_)),
+      models_(make_models(scene.materials, arena_)),
+      kernels_(&best_wave_kernels()) {
     wave_scene_.materials.transmits = true;  // sides of surfaces matter
-    for (WaveGroup& group : wave_scene_.groups.groups) {
-        group.absorption = V3f(0, 0, 0);  // the model has none
-    }
+    wave_scene_.absorbs = false;             // the model has no absorption
 }
 
 std::unique_ptr<Integrator::Workspace> DistributedIntegrator::make_workspace() const {
@@ -130,13 +131,13 @@ void DistributedIntegrator::trace(Forest& forest, int generation) const {
     if (generation >= settings_.recursion_limit) {
         return;
     }
-    kernels_->find_lobes(step);
+    kernels_->find_lobes(step, all.reflection, all.refraction);
     for (const LobeWave* lobe : {&all.refraction, &all.reflection}) {
         for (int k = 0; k < lobe->samples; ++k) {
             PathQueue& next = forest.generation(generation + 1).rays;
             next.count = 0;
             next.vertex = generation + 1;
-            kernels_->send(step, *lobe, k, next);
+            kernels_->send_rays(step, *lobe, k, next);
             const auto rays = static_cast<std::uint64_t>(next.count);
             forest.count->scattered_rays += rays;
             (lobe->side > 0 ? forest.count->reflection_rays : forest.count->refraction_rays) +=
@@ -182,21 +183,27 @@ void DistributedIntegrator::process_hits(Forest& forest, Generation& all, int ge
     }
 }
 
-void DistributedIntegrator::shade(Forest& forest, const DistributedStep& step) const {
+// Of a vertex, where each light gets so many. All rays to a delta light are the same.
+int DistributedIntegrator::shadow_rays(int samples) const {
     int rays = 0;
-    for (const WaveLight& light : wave_scene_.light) {
-        rays += light.kind == WaveLight::Kind::delta ? 1 : step.counts.shadow;
+    for (const WaveLight& light : wave_scene_.lights) {
+        rays += light.kind == WaveLight::Kind::delta ? 1 : samples;
     }
+    return rays;
+}
+
+void DistributedIntegrator::shade(Forest& forest, const DistributedStep& step) const {
+    const int rays = shadow_rays(step.counts.shadow);
     ShadowQueue& shadows = forest.shadows;
     for (int first = 0; first < step.vertices.count; first = shadows.last) {
-        shadows.begin(first, step.vertices.count, rays, false);
-        kernels_->shade(step);
-        shadows.trace(scene_.frame.structure());
+        begin_shadows(first, step.vertices.count, rays, shadows);
+        kernels_->shade_rays(step, shadows);
+        trace_shadows(scene_.frame.structure(), shadows);
         const auto asked = static_cast<std::uint64_t>(rays) *
                            static_cast<std::uint64_t>(shadows.last - shadows.first);
         forest.count->shadow_rays += asked;
         forest.count->needless_shadow_rays += asked - static_cast<std::uint64_t>(shadows.count);
-        best_wave_kernels().sum_light(shadows);
+        kernels_->sum_light(shadows);
         for (int i = shadows.first; i < shadows.last; ++i) {
             RadianceSample& result = forest.results[step.rays.slot.at[step.vertices.path.at[i]]];
             result.radiance += forest.own.get(i) + shadows.sum.get(i);

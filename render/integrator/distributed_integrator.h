@@ -3,7 +3,7 @@
 
 #include "render/integrator/integrator.h"
 #include "render/integrator/transport_scene.h"
-#include "render/integrator/wave/distributed_kernels.h"
+#include "render/integrator/wave/make_wave_scene.h"
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/scene/distributed_settings.h"
 
@@ -40,13 +40,15 @@ class DistributedIntegrator final : public Integrator {
 
     void trace(Forest& forest, int generation) const;
     void process_hits(Forest& forest, Generation& rays, int generation) const;
+    [[nodiscard]] int shadow_rays(int samples) const;
     void shade(Forest& forest, const DistributedStep& step) const;
 
     TransportScene scene_;
     DistributedSettings settings_;
+    SceneArena arena_;
     WaveScene wave_scene_;
-    WaveNumberTable models_;  // ClassicOf, by material
-    const DistributedKernels* kernels_;
+    NumberRows models_;  // ClassicOf, by material
+    const WaveKernels* kernels_;
 };
 
 }  // namespace carom::render

@@ -62,14 +62,17 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
     std::vector<Sample> from_camera;
     BranchSums sums;
     Floats3 mirrored;  // by path
+    QueueMemory memory;
 
     explicit Wave(const PathIntegrator& integrator)
         : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_, kQueuePaths),
           sums(integrator.wave_scene_.glossy_samples) {
-        const auto reserve = [](auto&... parts) { (parts.reserve(kQueuePaths), ...); };
-        reserve(of_even_vertices, of_odd_vertices, scattered, vertices, shadows, near_spheres,
-                missed, hit_paths, mirrored);
-        samples.reserve(kWaveSamples);
+        const WaveScene& scene = integrator.wave_scene_;
+        memory.reserve(kQueuePaths, of_even_vertices, of_odd_vertices, scattered, vertices,
+                       near_spheres, missed, hit_paths, mirrored);
+        memory.reserve(kWaveSamples, samples);
+        memory.reserve_shadows(kQueuePaths, scene.first_rays() + scene.further_rays(),
+                               scene.materials.transmits, shadows);
     }
 
     [[nodiscard]] Sample& sample_of(int path) {
@@ -105,9 +108,8 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
     }
 };
 
-WaveStep PathIntegrator::step_of(Wave& wave, int first, int last) const {
-    return {wave_scene_,       wave.samples, wave.paths(),   wave.vertices, wave.shadows,
-            wave.near_spheres, wave.next(),  wave.scattered, first,         last};
+WaveStep PathIntegrator::step_of(Wave& wave) const {
+    return {wave_scene_, wave.samples, wave.paths(), wave.vertices, wave.shadows};
 }
 
 PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings,
@@ -118,8 +120,8 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
       caustics_(scene_),
       light_tracer_(light_tracer),
       kernels_(&best_wave_kernels()),
-      wave_scene_(make_wave_scene(scene)) {
-    set_up(wave_scene_, settings, caustics_);
+      wave_scene_(make_wave_scene(scene, arena_)) {
+    set_up(wave_scene_, settings, caustics_, arena_);
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
     if (!scene.lights.environment().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
@@ -174,16 +176,17 @@ void PathIntegrator::shade_surfaces(Wave& wave, RenderStatistics& count) const {
         paths->count = 0;
         paths->vertex = wave.vertex + 1;
     }
-    int rays = wave_scene_.light.empty() ? 0 : 1;
+    int rays = wave_scene_.lights.count == 0 ? 0 : 1;
     if (rays > 0 && wave.vertex == 0) {
         rays = wave_scene_.first_rays() + (vertices.has_gloss ? wave_scene_.further_rays() : 0);
     }
     for (int first = 0; first < vertices.count; first = wave.shadows.last) {
-        wave.shadows.begin(first, vertices.count, rays, wave_scene_.materials.transmits);
-        kernels_->shade_surfaces(step_of(wave, first, wave.shadows.last));
+        begin_shadows(first, vertices.count, rays, wave.shadows);
+        kernels_->shade_surfaces(step_of(wave), wave.shadows,
+                                 {wave.next(), wave.scattered, wave.near_spheres});
         trace_shadows(wave, count);
     }
-    wave.next().append(wave.scattered);
+    append(wave.scattered, wave.next());
     CAROM_VALIDATE(is_valid(wave.next()));
     count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
 }
@@ -215,7 +218,7 @@ void PathIntegrator::trace_first_hits(const CameraRun& run, float pixel_spread,
         process_hits(wave);
         wave.next().count = 0;
         wave.next().vertex = 1;
-        kernels_->trace_coats(step_of(wave, 0, wave.vertices.count));
+        kernels_->trace_coats(step_of(wave), wave.next());
         wave.vertex = 1;
         process_hits(wave);
         for (const Sample& sample : wave.from_camera) {
@@ -238,7 +241,7 @@ void PathIntegrator::process_hits(Wave& wave) const {
             wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
             add_hit_light(i, hit, wave);
-        } else if (const std::uint8_t traits = wave_scene_.groups.traits[hit.object];
+        } else if (const std::uint8_t traits = wave_scene_.traits[hit.object];
                    traits == 0 ? !is_spent : becomes_vertex(i, hit, traits, wave)) {
             wave.hit_paths.add(i);
         }
@@ -286,13 +289,13 @@ void PathIntegrator::note_mirrored_surfaces(Wave& wave) {
 void PathIntegrator::add_misses(Wave& wave) const {
     const PathQueue& paths = wave.paths();
     const IndexList& missed = wave.missed.paths;
-    if (wave_scene_.sky) {
+    if (wave_scene_.has_sky) {
         kernels_->shade_background(wave_scene_, paths, wave.missed);
     }
     for (int k = 0; k < missed.count; ++k) {
         const int path = missed.at.at[k];
-        const V3f light =
-            wave_scene_.sky ? wave.missed.light.get(k) : paths.throughput.get(path) * constant_sky_;
+        const V3f light = wave_scene_.has_sky ? wave.missed.light.get(k)
+                                              : paths.throughput.get(path) * constant_sky_;
         wave.add_light(path, light);
     }
 }
@@ -312,7 +315,7 @@ bool PathIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t trait
 // A path that ended within glass would darken it, frosted glass most. Such a path is followed with
 // roulette until it leaves the glass, whatever its number of bounces.
 void PathIntegrator::end_outside_glass(Wave& wave) const {
-    constexpr int kLastVertex = static_cast<int>(PathDimensions::kVertices) - 1;
+    constexpr int kLastVertex = (1 << kVertexBits) - 1;
     SurfaceQueue& vertices = wave.vertices;
     PathQueue& paths = wave.paths();
     vertices.some_end = wave.vertex > settings_.max_bounces;
@@ -320,7 +323,7 @@ void PathIntegrator::end_outside_glass(Wave& wave) const {
         const int path = vertices.path.at[i];
         const PathDimensions& dimensions = wave.sample_of(path).dimensions;
         const bool stays = vertices.from_behind.at[i] != 0 && wave.vertex < kLastVertex &&
-                           dimensions.further(paths.path(path)).y < kSurvivalInGlass;
+                           dimensions.further(path_of(paths, path)).y < kSurvivalInGlass;
         vertices.ends.at[i] = stays ? 0 : 1;
         if (stays) {
             paths.throughput.set(path, paths.throughput.get(path) / kSurvivalInGlass);
@@ -329,7 +332,7 @@ void PathIntegrator::end_outside_glass(Wave& wave) const {
 }
 
 void PathIntegrator::add_hit_light(int index, const Hit& hit, Wave& wave) const {
-    const Path path = wave.paths().path(index);
+    const Path path = path_of(wave.paths(), index);
     RadianceSample& result = wave.sample_of(index).result;
     if (path.vertex == 0) {
         result.coverage = 1;
@@ -359,7 +362,7 @@ bool PathIntegrator::is_sampled_as_caustic(const Path& path, const Hit& hit) con
 }
 
 void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
-    const Path path = wave.paths().path(index);
+    const Path path = path_of(wave.paths(), index);
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
@@ -373,7 +376,7 @@ void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& coun
     const SurfaceQueue& vertices = wave.vertices;
     const PathQueue& paths = wave.paths();
     const int index = vertices.path.at[vertex];
-    const Path path = paths.path(index);
+    const Path path = path_of(paths, index);
     const V3f position = vertices.position.get(vertex);
     const V3f normal = vertices.geometric_normal.get(vertex);
     const Material& material =
@@ -396,7 +399,7 @@ void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
         return;
     }
     count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
-    shadows.trace(scene_.frame.structure());
+    render::trace_shadows(scene_.frame.structure(), shadows);
     kernels_->sum_light(shadows);
     CAROM_VALIDATE(is_valid(shadows));
     for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {

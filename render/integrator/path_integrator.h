@@ -11,6 +11,7 @@
 #include "render/integrator/light_hits.h"
 #include "render/integrator/light_tracer.h"
 #include "render/integrator/path_settings.h"
+#include "render/integrator/wave/make_wave_scene.h"
 #include "render/integrator/wave/wave_kernels.h"
 
 namespace carom::render {
@@ -43,7 +44,7 @@ class PathIntegrator final : public Integrator {
 
     void begin(const CameraRun& run, float pixel_spread, Wave& wave) const;
     [[nodiscard]] RadianceSample finished(const Wave& wave, std::size_t sample) const;
-    [[nodiscard]] WaveStep step_of(Wave& wave, int first, int last) const;
+    [[nodiscard]] WaveStep step_of(Wave& wave) const;
     void shade_surfaces(Wave& wave, RenderStatistics& count) const;
     void process_hits(Wave& wave) const;
     static void note_first_surfaces(Wave& wave);
@@ -64,6 +65,7 @@ class PathIntegrator final : public Integrator {
     Caustics caustics_;
     const LightTracer* light_tracer_;
     const WaveKernels* kernels_;
+    SceneArena arena_;
     WaveScene wave_scene_;
     int wave_samples_;           // camera samples in a wave
     V3f constant_sky_{0, 0, 0};  // unless the wave's scene has a sky

@@ -26,11 +26,6 @@ struct LastScattering {
     float total_importance = 0;
 };
 
-/// The most vertices of a path from which coat and base are followed separately.
-inline constexpr int kMostSplits = 2;
-/// The difference between the branches of two directions of the same coat.
-inline constexpr std::uint32_t kBranchesOfOneCoat = 1u << (kMostSplits + 1);
-
 /// Whether such a path leads from the coat of what the camera sees to what is seen in it.
 [[nodiscard]] inline bool is_seen_in_coat(int vertex, std::uint32_t branch) {
     return vertex == 1 && branch % 2 == 0;
@@ -63,24 +58,15 @@ class PathDimensions {
     }
     /// For caustics: whether they are sampled at all, and then how.
     [[nodiscard]] float caustic_roulette(const Path& path) const {
-        return stream_.get_1d(kCaustics + 2 * vertex_index(path));
+        return stream_.get_1d(kCausticSets + 2 * vertex_index(path));
     }
     [[nodiscard]] std::array<float, 4> caustic(const Path& path) const {
-        return set(kCaustics + 2 * vertex_index(path) + 1);
+        return set(kCausticSets + 2 * vertex_index(path) + 1);
     }
-    // Indices of the sets of numbers: those of all vertices first, then those of a first vertex's
-    // lights.
-    static constexpr std::uint32_t kVertices = 128;  // more than a path can have
-    static constexpr std::uint32_t kLightPairs = 0x10000;
-    static constexpr std::uint32_t kCaustics = 0x20000;
-    static constexpr std::uint32_t kLightBlocks = 0x30000;
-
-    /// The number of first vertices of a path that sample caustics.
-    static constexpr int kConnectingVertices = 2;
 
   private:
     [[nodiscard]] static std::uint32_t vertex_index(const Path& path) {
-        return path.branch * kVertices + static_cast<std::uint32_t>(path.vertex);
+        return (path.branch << kVertexBits) + static_cast<std::uint32_t>(path.vertex);
     }
     [[nodiscard]] std::array<float, 4> set(std::uint32_t index) const {
         SampleStream stream = stream_;

@@ -26,6 +26,14 @@ struct ScalarLanes {
     static Value all(Number x) { return x; }
     static Int all_int(std::int32_t x) { return x; }
     static Word all_word(std::uint32_t x) { return x; }
+    /// How many lanes there are.
+    static int count() { return 1; }
+    /// `first` and the numbers that follow it.
+    static Int from(std::int32_t first) { return first; }
+    /// The lanes before the `n`th; n >= 0.
+    static Mask before(int n) { return n > 0; }
+    /// The number in the first lane.
+    static std::int32_t first_of(Int x) { return x; }
 
     static Mask is_less(Value a, Value b) { return a < b; }
     static Mask is_at_most(Value a, Value b) { return a <= b; }
@@ -36,7 +44,9 @@ struct ScalarLanes {
     static Mask both(Mask a, Mask b) { return a && b; }
     static Mask either(Mask a, Mask b) { return a || b; }
     static Mask opposite(Mask a) { return !a; }
+    static Mask without(Mask a, Mask b) { return a && !b; }
     static bool none(Mask mask) { return !mask; }
+    static int count_of(Mask mask) { return mask ? 1 : 0; }
     /// Whether an early return between two tests pays off. For a scalar it does; with several lanes
     /// all must fail, which is rare and cannot be predicted.
     static bool fails_alone(Mask mask) { return !mask; }
@@ -95,7 +105,14 @@ struct ScalarLanes {
         return x >> kBits;
     }
 
+    /// The numbers that lie one after the other, and their storing.
+    static Value load(const Number* from) { return *from; }
+    static Int load_int(const std::int32_t* from) { return *from; }
+    static void store(Value x, Number* to) { *to = x; }
+    static void store_int(Int x, std::int32_t* to) { *to = x; }
+
     static Value gather(const float* numbers, Int index) { return numbers[index]; }
+    static void scatter(Value x, float* numbers, Int index) { numbers[index] = x; }
     static Int gather_int(const std::int32_t* numbers, Int index) { return numbers[index]; }
     /// The 32 bits that begin at a byte of a memory that may hold any type; there must be as many.
     static Word gather_bytes(const void* from, Int byte) {

@@ -30,6 +30,10 @@ struct VectorLanes {
     static HWY_INLINE Value all(Number x) { return hn::Set(D(), x); }
     static HWY_INLINE Int all_int(std::int32_t x) { return hn::Set(IntTag(), x); }
     static HWY_INLINE Word all_word(std::uint32_t x) { return hn::Set(WordTag(), x); }
+    static HWY_INLINE int count() { return static_cast<int>(hn::Lanes(D())); }
+    static HWY_INLINE Int from(std::int32_t first) { return hn::Iota(IntTag(), first); }
+    static HWY_INLINE Mask before(int n) { return hn::FirstN(D(), static_cast<std::size_t>(n)); }
+    static HWY_INLINE std::int32_t first_of(Int x) { return hn::GetLane(x); }
 
     static HWY_INLINE Mask is_less(Value a, Value b) { return hn::Lt(a, b); }
     static HWY_INLINE Mask is_at_most(Value a, Value b) { return hn::Le(a, b); }
@@ -42,7 +46,9 @@ struct VectorLanes {
     static HWY_INLINE Mask both(Mask a, Mask b) { return hn::And(a, b); }
     static HWY_INLINE Mask either(Mask a, Mask b) { return hn::Or(a, b); }
     static HWY_INLINE Mask opposite(Mask a) { return hn::Not(a); }
+    static HWY_INLINE Mask without(Mask a, Mask b) { return hn::AndNot(b, a); }
     static HWY_INLINE bool none(Mask mask) { return hn::AllFalse(D(), mask); }
+    static HWY_INLINE int count_of(Mask mask) { return static_cast<int>(hn::CountTrue(D(), mask)); }
     static HWY_INLINE bool fails_alone(Mask) { return false; }
 
     static HWY_INLINE Value select(Mask mask, Value yes, Value no) {
@@ -119,8 +125,16 @@ struct VectorLanes {
         return hn::ShiftRight<kBits>(x);
     }
 
+    static HWY_INLINE Value load(const Number* from) { return hn::LoadU(D(), from); }
+    static HWY_INLINE Int load_int(const std::int32_t* from) { return hn::LoadU(IntTag(), from); }
+    static HWY_INLINE void store(Value x, Number* to) { hn::StoreU(x, D(), to); }
+    static HWY_INLINE void store_int(Int x, std::int32_t* to) { hn::StoreU(x, IntTag(), to); }
+
     static HWY_INLINE Value gather(const float* numbers, Int index) {
         return hn::GatherIndex(D(), numbers, index);
+    }
+    static HWY_INLINE void scatter(Value x, float* numbers, Int index) {
+        hn::ScatterIndex(x, D(), numbers, index);
     }
     static HWY_INLINE Int gather_int(const std::int32_t* numbers, Int index) {
         return hn::GatherIndex(IntTag(), numbers, index);

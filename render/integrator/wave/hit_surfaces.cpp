@@ -36,25 +36,25 @@ HitSurfaces::HitSurfaces(const TransportScene& scene, const WaveScene& wave_scen
     : scene_(scene),
       wave_scene_(wave_scene),
       kernels_(kernels),
-      hits_(static_cast<std::size_t>(most_paths + Floats::kBeyond)) {
-    rotations_.reserve(most_paths);
+      hits_(static_cast<std::size_t>(most_paths + kBeyondQueue)) {
+    memory_.reserve(most_paths, rotations_);
 }
 
 const Hit* HitSurfaces::trace(const PathQueue& paths) {
-    scene_.frame.structure().closest_hits(paths.rays(), hits_.data());
+    scene_.frame.structure().closest_hits(rays_of(paths), hits_.data());
     return hits_.data();
 }
 
-void HitSurfaces::find(PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices) {
+void HitSurfaces::find(const PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices) {
     sort(hit_paths, vertices);
     int first = 0;
-    for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
-        const WaveGroup& group = wave_scene_.groups.groups[k];
-        const int last = group_ends_[k];
+    for (int k = 0; k < wave_scene_.groups.count; ++k) {
+        const WaveGroup& group = wave_scene_.groups[k];
+        const int last = group_ends_[static_cast<std::size_t>(k)];
         if (first < last) {
             find_poses(group, first, last, paths, vertices);
             kernels_.resolve_surfaces(
-                {wave_scene_, group, paths, hits_.data(), rotations_, vertices, first, last});
+                {wave_scene_, group, paths, hits_.data(), rotations_, vertices, last}, first);
         }
         first = last;
     }
@@ -62,12 +62,11 @@ void HitSurfaces::find(PathQueue& paths, const IndexList& hit_paths, SurfaceQueu
 
 // Makes vertices of the hits, one group after the other, in each of them in the order of the paths.
 void HitSurfaces::sort(const IndexList& hit_paths, SurfaceQueue& vertices) {
-    const WaveGroups& groups = wave_scene_.groups;
+    const List<std::uint16_t>& groups = wave_scene_.group_of_object;
     std::vector<int>& ends = group_ends_;
-    ends.assign(groups.groups.size() + 1, 0);
+    ends.assign(static_cast<std::size_t>(wave_scene_.groups.count) + 1, 0);
     for (int k = 0; k < hit_paths.count; ++k) {
-        ends[groups.of_object[hits_[static_cast<std::size_t>(hit_paths.at.at[k])].object] + 1u] +=
-            1;
+        ends[groups[hits_[static_cast<std::size_t>(hit_paths.at.at[k])].object] + 1u] += 1;
     }
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     vertices.count = hit_paths.count;
@@ -75,17 +74,17 @@ void HitSurfaces::sort(const IndexList& hit_paths, SurfaceQueue& vertices) {
     for (int k = 0; k < hit_paths.count; ++k) {
         const int path = hit_paths.at.at[k];
         const Hit& hit = hits_[static_cast<std::size_t>(path)];
-        const std::uint16_t group = groups.of_object[hit.object];
+        const std::uint16_t group = groups[hit.object];
         const int i = ends[group]++;
         vertices.path.at[i] = path;
         vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
-        vertices.material.at[i] = static_cast<std::int32_t>(groups.groups[group].material);
+        vertices.material.at[i] = static_cast<std::int32_t>(wave_scene_.groups[group].material);
         vertices.distance.at[i] = hit.t;
     }
 }
 
 void HitSurfaces::find_poses(const WaveGroup& group, int first, int last, const PathQueue& paths,
-                             SurfaceQueue& vertices) {
+                             const SurfaceQueue& vertices) {
     if (!group.moves) {
         return;
     }

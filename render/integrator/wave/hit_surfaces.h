@@ -5,6 +5,7 @@
 
 #include "render/camera/camera_batch.h"
 #include "render/integrator/transport_scene.h"
+#include "render/integrator/wave/queue_memory.h"
 #include "render/integrator/wave/wave_kernels.h"
 
 namespace carom::render {
@@ -23,17 +24,18 @@ class HitSurfaces {
     /// The next hits of all paths, by path.
     const Hit* trace(const PathQueue& paths);
     /// Completes the vertices of some paths that hit a surface, in the order of their groups.
-    void find(PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices);
+    void find(const PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices);
 
   private:
     void sort(const IndexList& hit_paths, SurfaceQueue& vertices);
     void find_poses(const WaveGroup& group, int first, int last, const PathQueue& paths,
-                    SurfaceQueue& vertices);
+                    const SurfaceQueue& vertices);
 
     const TransportScene& scene_;
     const WaveScene& wave_scene_;
     const WaveKernels& kernels_;
     std::vector<Hit> hits_;
+    QueueMemory memory_;
     RotationQueue rotations_;
     std::vector<int> group_ends_;  // in the vertices
 };

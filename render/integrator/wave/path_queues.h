@@ -1,57 +1,25 @@
-// The state of many paths as structures of arrays, for vector code. Plain data.
+// The state of many paths as structures of arrays, for kernels. Plain data: their memory is that of
+// queue_memory.h.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <tuple>
-#include <vector>
 
-#include "render/acceleration/acceleration_structure.h"
-#include "render/acceleration/large_vector.h"
-#include "render/integrator/path_state.h"
+#include "render/geometry/ray.h"
 
 namespace carom::render {
 
-/// Largest number of camera samples in a wave, and of paths: a sample may split twice.
-inline constexpr int kWaveSamples = 512;
-inline constexpr int kQueuePaths = 10 * kWaveSamples;
-
-/// Numbers for vector code, which may read and write beyond the last one. All are 0 at first, so
-/// that what lies there is harmless.
-template <class T>
-struct WaveArray {
-    static constexpr int kBeyond = 16;
-
-    T* at = nullptr;
-
-    WaveArray() = default;
-    WaveArray(const WaveArray&) = delete;
-    WaveArray& operator=(const WaveArray&) = delete;
-    WaveArray(WaveArray&&) noexcept = default;
-    WaveArray& operator=(WaveArray&&) noexcept = default;
-    ~WaveArray() = default;
-
-    void reserve(int count) {
-        numbers_.assign(static_cast<std::size_t>(count) + kBeyond, T());
-        at = numbers_.data();
-    }
-
-  private:
-    LargeVector<T> numbers_;
+// Vector code may read and write beyond the last number of an array.
+struct Floats {
+    float* at = nullptr;
 };
-using Floats = WaveArray<float>;
-using Words = WaveArray<std::int32_t>;
+struct Words {
+    std::int32_t* at = nullptr;
+};
 struct Floats3 {
     Floats x, y, z;
 
-    void reserve(int count) {
-        for (Floats* channel : {&x, &y, &z}) {
-            channel->reserve(count);
-        }
-    }
     [[nodiscard]] V3f get(int i) const { return {x.at[i], y.at[i], z.at[i]}; }
-    void set(int i, const V3f& v) {
+    void set(int i, const V3f& v) const {
         x.at[i] = v.x;
         y.at[i] = v.y;
         z.at[i] = v.z;
@@ -78,67 +46,12 @@ struct PathQueue {
     Words connected_sphere;
     Words entered_sphere;  // set in scenes with surfaces that transmit
 
-    /// Pointers to all arrays.
-    static constexpr auto fields() {
-        return std::tuple(&PathQueue::slot, &PathQueue::branch, &PathQueue::origin,
-                          &PathQueue::direction, &PathQueue::time, &PathQueue::throughput,
-                          &PathQueue::cone_width, &PathQueue::cone_spread,
-                          &PathQueue::last_position, &PathQueue::last_normal, &PathQueue::pdf,
-                          &PathQueue::total_importance, &PathQueue::environment_samples,
-                          &PathQueue::is_delta, &PathQueue::connects, &PathQueue::connected_sphere,
-                          &PathQueue::entered_sphere);
-    }
-    void reserve(int paths) {
-        std::apply([&](auto... field) { ((this->*field).reserve(paths), ...); }, fields());
-    }
-    /// Appends other paths.
-    void append(const PathQueue& more) {
-        std::apply([&](auto... field) { (copy(more.*field, more.count, this->*field), ...); },
-                   fields());
-        count += more.count;
-    }
-
-    [[nodiscard]] Ray ray(int i) const {
-        return {origin.get(i), direction.get(i), 0, kInfinity, time.at[i], kind()};
-    }
-    [[nodiscard]] RayKind kind() const {
-        return vertex == 0 ? RayKind::primary : RayKind::secondary;
-    }
-    [[nodiscard]] RayBatch rays() const {
-        return {count,
-                {origin.x.at, origin.y.at, origin.z.at},
-                {direction.x.at, direction.y.at, direction.z.at},
-                time.at,
-                kind()};
-    }
-    /// One path alone, for scalar code.
-    [[nodiscard]] Path path(int i) const {
-        Path path{ray(i)};
-        path.throughput = throughput.get(i);
-        path.last.position = last_position.get(i);
-        path.last.normal = last_normal.get(i);
-        path.last.pdf = pdf.at[i];
-        path.last.is_delta = is_delta.at[i] != 0;
-        path.last.connects = connects.at[i] != 0;
-        const std::int32_t sphere = connected_sphere.at[i];
-        path.last.connected_sphere = sphere < 0 ? -1 : sphere & ~kPassedSphere;
-        path.last.passed_sphere = sphere >= 0 && (sphere & kPassedSphere) != 0;
-        path.last.all_lights = vertex == 1;
-        path.last.total_importance = total_importance.at[i];
-        path.vertex = vertex;
-        path.branch = static_cast<std::uint32_t>(branch.at[i]);
-        return path;
-    }
-
-  private:
-    template <class T>
-    void copy(const WaveArray<T>& more, int number, WaveArray<T>& to) const {
-        std::copy_n(more.at, number, to.at + count);
-    }
-    void copy(const Floats3& more, int number, Floats3& to) const {
-        copy(more.x, number, to.x);
-        copy(more.y, number, to.y);
-        copy(more.z, number, to.z);
+    /// Calls `visit` with every array.
+    template <class Visit>
+    void each_array(const Visit& visit) {
+        visit(slot, branch, origin, direction, time, throughput, cone_width, cone_spread,
+              last_position, last_normal, pdf, total_importance, environment_samples, is_delta,
+              connects, connected_sphere, entered_sphere);
     }
 };
 
@@ -158,93 +71,52 @@ struct SurfaceQueue {
     Words from_behind;  // 1 or 0; in scenes with surfaces that transmit
     Words ends;         // 1: the path ends here
 
-    void reserve(int vertices) {
-        for (Words* words : {&path, &object, &material, &from_behind, &ends}) {
-            words->reserve(vertices);
-        }
-        for (Floats3* floats : {&position, &geometric_normal, &normal, &base}) {
-            floats->reserve(vertices);
-        }
-        distance.reserve(vertices);
-        offset.reserve(vertices);
+    template <class Visit>
+    void each_array(const Visit& visit) {
+        visit(path, object, material, distance, position, geometric_normal, normal, offset, base,
+              from_behind, ends);
+    }
+};
+
+/// How moving objects are turned at a path's time, by vertex: world from body, as unit quaternions.
+struct RotationQueue {
+    Floats real;
+    Floats3 vector;
+
+    template <class Visit>
+    void each_array(const Visit& visit) {
+        visit(real, vector);
     }
 };
 
 /// Shadow rays of the vertices [first, last) of a wave, `rays` for each vertex. The first rays of
 /// all vertices are stored before the second ones.
 struct ShadowQueue {
-    /// About as many rays are traced together, but always those of one vector of vertices.
-    static constexpr int kRays = 32 * kWaveSamples;
-    static constexpr int kLanes = 16;
-
     int first = 0, last = 0;
     int stride = 0;  // from a vertex's ray to its next one
     int rays = 0;    // of each vertex
     int count = 0;   // of rays that were asked for
-    Floats3 origin;  // by vertex
-    Floats time;     // by vertex
-    Floats3 sum;     // by vertex: all light that arrives
-    std::vector<float> x, y, z;
-    std::vector<float> t_max;             // m; 0: no ray
-    std::vector<float> red, green, blue;  // of the light that arrives unless occluded
-    // Of each ray, in scenes with surfaces that transmit.
-    std::vector<float> origin_x, origin_y, origin_z;
+    // By vertex.
+    Floats3 origin;
+    Floats time;
+    Floats3 sum;  // all light that arrives
+    // By ray.
+    Floats3 direction;
+    Floats t_max;        // m; 0: no ray
+    Floats3 radiance;    // that arrives unless occluded
+    Floats3 ray_origin;  // in scenes with surfaces that transmit; else null
 
-    void reserve(int vertices) {
-        origin.reserve(vertices);
-        time.reserve(vertices);
-        sum.reserve(vertices);
-    }
-    /// Of the vertices from `from` on takes as many as fit, to whom so many `rays` will be added.
-    void begin(int from, int vertices, int rays_of_each, bool has_origins) {
-        first = from;
-        rays = rays_of_each;
-        count = 0;
-        const int most = rays > 0 ? kRays / rays / kLanes * kLanes : vertices;
-        last = std::min(vertices, from + std::max(most, kLanes));
-        stride = last - first + kLanes;
-        const std::size_t size = static_cast<std::size_t>(stride) * static_cast<std::size_t>(rays);
-        for (auto* numbers : {&x, &y, &z, &t_max, &red, &green, &blue}) {
-            numbers->resize(std::max(numbers->size(), size));
-        }
-        for (auto* numbers : {&origin_x, &origin_y, &origin_z}) {
-            numbers->resize(has_origins ? std::max(numbers->size(), size) : 0);
-        }
-    }
     /// Where the `k`th ray of a vertex is.
-    [[nodiscard]] std::size_t place(int k, int vertex) const {
-        return static_cast<std::size_t>(k) * static_cast<std::size_t>(stride) +
-               static_cast<std::size_t>(vertex - first);
-    }
-    /// Sets `t_max` to 0 for rays that are occluded.
-    void trace(const AccelerationStructure& structure) {
-        for (int k = 0; k < rays; ++k) {
-            structure.test_occlusion(batch(k), t_max.data() + place(k, first));
-        }
-    }
-
-  private:
-    /// The `k`th rays of all vertices.
-    [[nodiscard]] RayBatch batch(int k) const {
-        const std::size_t at = place(k, first);
-        const bool has_origins = !origin_x.empty();
-        return {last - first,
-                {has_origins ? &origin_x[at] : origin.x.at + first,
-                 has_origins ? &origin_y[at] : origin.y.at + first,
-                 has_origins ? &origin_z[at] : origin.z.at + first},
-                {&x[at], &y[at], &z[at]},
-                time.at + first,
-                RayKind::shadow};
-    }
+    [[nodiscard]] int place(int k, int vertex) const { return k * stride + (vertex - first); }
 };
 
 /// What belongs to the camera samples of a wave.
 struct CameraSamples {
     Words pixel_hash, reversed_sample;  // of their random numbers
 
-    void reserve(int samples) {
-        pixel_hash.reserve(samples);
-        reversed_sample.reserve(samples);
+    template <class Visit>
+    void each_array(const Visit& visit) {
+        visit(pixel_hash, reversed_sample);
     }
 };
 
@@ -253,8 +125,12 @@ struct IndexList {
     int count = 0;
     Words at;
 
-    void reserve(int most) { at.reserve(most); }
     void add(int index) { at.at[count++] = index; }
+
+    template <class Visit>
+    void each_array(const Visit& visit) {
+        visit(at);
+    }
 };
 
 /// Paths that left the scene, and the radiance that they bring.
@@ -262,9 +138,26 @@ struct EscapedQueue {
     IndexList paths;
     Floats3 light;  // by the place in the list
 
-    void reserve(int most) {
-        paths.reserve(most);
-        light.reserve(most);
+    template <class Visit>
+    void each_array(const Visit& visit) {
+        visit(paths.at, light);
+    }
+};
+
+/// Rays of one kind that the vertices of a wave of distributed ray tracing send, each around one
+/// direction.
+struct LobeWave {
+    float side = 1;   // of the surface that they leave from: 1 the viewer's, -1 the other
+    int samples = 0;  // the most of any vertex
+    Floats3 axis;     // unit
+    Floats3 colour;   // factor on the light of a ray, besides its weight, the cosine to the axis
+    Floats spread;    // standard deviation of the angle, rad; 0: all rays are along the axis
+    Floats most;      // gaussian_within_a_quarter_turn of it
+    Words count;      // of rays
+
+    template <class Visit>
+    void each_array(const Visit& visit) {
+        visit(axis, colour, spread, most, count);
     }
 };
 

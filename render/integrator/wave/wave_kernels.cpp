@@ -1,21 +1,106 @@
 #include "render/integrator/wave/wave_kernels.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/integrator/wave/wave_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#include "render/integrator/wave/roulette-inl.h"
-#include "render/integrator/wave/surfaces-inl.h"
-#include "render/integrator/wave/wave_step-inl.h"
+#include "render/integrator/wave/packed_paths-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
+inline HWY_ATTR void russian_roulette_in_lanes(const CameraSamples& samples, const PathQueue& paths,
+                                               IndexList& reached) {
+    const int count = reached.count;
+    reached.count = 0;
+    for (int first = 0; first < count; first += Lanes::count()) {
+        // Lanes beyond the last path repeat it.
+        const auto place = Lanes::smaller_int(Lanes::from(first), Lanes::all_int(count - 1));
+        const auto path = gather<Lanes>(reached.at, place);
+        const auto survives = survivors_of<Lanes>(samples, paths, path);
+        // What is overwritten has been read.
+        append(path, Lanes::both(survives, Lanes::before(count - first)), reached);
+    }
+}
+
+inline HWY_ATTR void resolve_surfaces_in_lanes(const SurfaceTask& task, int first) {
+    for (; first < task.last; first += Lanes::count()) {
+        resolve_surfaces<Lanes>(task, first);
+    }
+}
+
+/// What continues from the vertices from `first` on.
+struct AppendedQueues {
+    const AppendedPaths &coat, &base;
+    IndexList& near_spheres;
+    int first;
+
+    HWY_INLINE void near_sphere(Mask asks) const { append(Lanes::from(first), asks, near_spheres); }
+};
+
+inline HWY_ATTR void shade_surfaces_in_lanes(const WaveStep& step, ShadowQueue& shadows,
+                                             const ContinuingQueues& next) {
+    const bool transmits = step.scene.materials.transmits;
+    const AppendedPaths coat{next.reflected, transmits};
+    const AppendedPaths base{next.scattered, transmits};
+    for (int first = shadows.first; first < shadows.last; first += Lanes::count()) {
+        shade_surfaces<Lanes>(step, first, AppendedQueues{coat, base, next.near_spheres, first});
+        count_rays(first, shadows);
+    }
+}
+
+inline HWY_ATTR void trace_coats_in_lanes(const WaveStep& step, PathQueue& reflected) {
+    for (int first = 0; first < step.vertices.count; first += Lanes::count()) {
+        trace_coats<Lanes>(step, first, AppendedPaths{reflected, step.scene.materials.transmits});
+    }
+}
+
+inline HWY_ATTR void shade_background_in_lanes(const WaveScene& scene, const PathQueue& paths,
+                                               const EscapedQueue& missed) {
+    for (int first = 0; first < missed.paths.count; first += Lanes::count()) {
+        shade_background<Lanes>(scene, paths, missed, first);
+    }
+}
+
+inline HWY_ATTR void sum_light_in_lanes(const ShadowQueue& shadows) {
+    for (int first = shadows.first; first < shadows.last; first += Lanes::count()) {
+        sum_light<Lanes>(shadows, first);
+    }
+}
+
+inline HWY_ATTR void shade_rays_in_lanes(const DistributedStep& step, ShadowQueue& shadows) {
+    for (int first = shadows.first; first < shadows.last; first += Lanes::count()) {
+        shade_rays<Lanes>(step, first);
+        count_rays(first, shadows);
+    }
+}
+
+inline HWY_ATTR void find_lobes_in_lanes(const DistributedStep& step, LobeWave& reflection,
+                                         LobeWave& refraction) {
+    reflection.samples = refraction.samples = 0;
+    for (int first = 0; first < step.vertices.count; first += Lanes::count()) {
+        const LobeRays rays = find_lobes<Lanes>(step, first);
+        reflection.samples = std::max(reflection.samples, rays.reflection);
+        refraction.samples = std::max(refraction.samples, rays.refraction);
+    }
+}
+
+inline HWY_ATTR void send_rays_in_lanes(const DistributedStep& step, const LobeWave& lobe, int k,
+                                        PathQueue& next) {
+    for (int first = 0; first < step.vertices.count; first += Lanes::count()) {
+        send_rays<Lanes>(step, lobe, k, first, AppendedPaths{next, false});
+    }
+}
+
 inline const WaveKernels& wave_kernels_of_target() {
-    static constexpr WaveKernels kKernels = {russian_roulette, resolve_surfaces, shade_surfaces,
-                                             trace_coats,      shade_background, sum_light};
+    static constexpr WaveKernels kKernels = {
+        russian_roulette_in_lanes, resolve_surfaces_in_lanes, shade_surfaces_in_lanes,
+        trace_coats_in_lanes,      shade_background_in_lanes, sum_light_in_lanes,
+        shade_rays_in_lanes,       find_lobes_in_lanes,       send_rays_in_lanes};
     return kKernels;
 }
 

@@ -1,18 +1,37 @@
-// The scene as structures of arrays for the wave kernels.
+// The scene for the kernels of a wave. Plain data: a WaveSceneMemory owns what it points to.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
-#include <vector>
 
-#include "render/integrator/caustics.h"
+#include "render/geometry/affine.h"
+#include "render/geometry/mesh_arrays.h"
+#include "render/geometry/motion_pieces.h"
+#include "render/geometry/shape_kind.h"
 #include "render/integrator/path_settings.h"
-#include "render/integrator/transport_scene.h"
-#include "render/integrator/wave/wave_groups.h"
-#include "render/light/light_set.h"
+#include "render/integrator/sphere_bounds.h"
+#include "render/light/light_constants.h"
+#include "render/material/albedo_numbers.h"
+#include "render/texture/texture_data.h"
 
 namespace carom::render {
+
+template <class T>
+struct List {
+    const T* at = nullptr;
+    std::int32_t count = 0;
+
+    [[nodiscard]] const T* begin() const { return at; }
+    [[nodiscard]] const T* end() const { return at + count; }
+    [[nodiscard]] const T& operator[](std::int64_t i) const { return at[i]; }
+};
+
+/// Numbers of many things, a row for each kind of number.
+struct NumberRows {
+    const float* at = nullptr;  // null: no thing has them
+    std::int32_t count = 0;     // of things
+
+    [[nodiscard]] const float* row(int i) const { return at + std::int64_t{i} * count; }
+};
 
 /// A light for the kernels.
 struct WaveLight {
@@ -29,47 +48,73 @@ struct WaveLight {
     [[nodiscard]] bool is_environment() const { return kind == Kind::environment; }
 };
 
-/// The numbers of a kind of all materials, in the order of its each_number.
-using WaveNumberTable = std::vector<std::vector<float>>;
-
-/// Appends the numbers of one material.
-template <class Numbers>
-void add_numbers(const Numbers& numbers, WaveNumberTable& table) {
-    std::size_t place = 0;
-    Numbers::each_number(numbers, [&](float number) {
-        if (place == table.size()) {
-            table.emplace_back();
-        }
-        table[place++].push_back(number);
-    });
-}
-
-/// Materials as a structure of arrays (material/kernels/material_numbers.h).
+/// By material; rows in the order of `each_number` (material/kernels/material_numbers.h).
 struct WaveMaterials {
-    WaveNumberTable layers;
-    WaveNumberTable glass, phong;  // empty if no material has any
-    std::vector<float> is_phong;   // 1 or 0
-    bool transmits = false;        // some material does
-    // kAlbedoNodes numbers for each material, by kind of table.
-    std::array<std::vector<float>, kAlbedoKinds> albedos;
+    NumberRows layers;
+    NumberRows glass, phong;          // null if no material has any
+    const float* is_phong = nullptr;  // 1 or 0
+    bool transmits = false;           // some material does
+    AlbedoNumbers albedos;            // kAlbedoNodes numbers for each material, by kind of table
+};
 
-    [[nodiscard]] AlbedoNumbers tables() const;
+/// Objects of one kind of shape and one material, whose hits are completed together; a mesh is a
+/// group of its own.
+struct WaveGroup {
+    /// Round spheres, boxes at rest along the world's axes, unit shapes under an affine map, and
+    /// meshes.
+    enum class Kind : std::uint8_t { sphere, box, shape, mesh };
+    Kind kind = Kind::shape;
+    ShapeKind shape = ShapeKind::box;
+    bool moves = false;
+    std::uint32_t material = 0;
+    const TextureData* texture = nullptr;
+    bool absorbs = false;
+    V3f absorption{0, 0, 0};  // of the glass inside, 1/m
+    float bump = 0;
+    bool has_texture = false;  // otherwise the colour is constant
+    bool needs_uv = false;
+    MeshArrays mesh;
+    Affine metres_from_world;   // of a mesh
+    float bounding_radius = 0;  // of a mesh
+};
+
+/// What a hit of an object needs besides becoming a vertex, as bits.
+enum WaveTraits : std::uint8_t {
+    kTransmits = 1,  // glass, or a phong material that lets light through
+    kEmits = 2,      // an emissive material
+    kHasGloss = 4,   // a rough coat
+};
+
+/// The rows of WaveScene::shapes: what SceneObject says about a shape. A map has three rows of
+/// numbers for each row of its matrix, and three for its translation.
+enum ShapeRow : std::uint8_t {
+    kUnitFromWorld = 0,
+    kWorldFromUnit = 12,
+    kWorldFromUnitTranslation = 21,
+    kMetresFromWorld = 24,
+    kHalfSize = 36,
+    kParameters = 39,
+    kBoundingRadius = 42,
+    kShapeRows = 43
 };
 
 /// What the kernels need to know about a scene.
 struct WaveScene {
-    std::vector<WaveLight> light;  // by the light's number in LightSet
+    List<WaveLight> lights;  // by the light's number in LightSet
     float environment_importance = 0;
-    std::optional<EnvironmentPicture> sky;  // of a sampled environment
+    bool has_environment = false;  // among the lights
+    bool has_sky = false;
+    EnvironmentPicture sky;  // of a sampled environment
 
-    // Specular spheres as a structure of arrays: centre and radius of the bounding sphere of all
-    // positions, squared radius, gain (caustics.h).
-    std::vector<float> sphere_x, sphere_y, sphere_z, sphere_bounding_radius, sphere_radius2,
-        sphere_gain;
-    std::vector<std::int32_t> sphere_of_object;  // or -1
+    List<SphereBounds> spheres;
+    const std::int32_t* sphere_of_object = nullptr;  // or -1
 
     WaveMaterials materials;
-    WaveGroups groups;
+    bool absorbs = true;  // within glass
+    NumberRows shapes;    // by object
+    List<WaveGroup> groups;
+    List<std::uint16_t> group_of_object;
+    const std::uint8_t* traits = nullptr;  // by object
     DirectStrategy strategy = DirectStrategy::both;
     int max_bounces = 0;
     int split_vertices = 0;
@@ -77,16 +122,16 @@ struct WaveScene {
     bool caustics = false;
 
     /// Number of shadow rays of a path's first vertex, without the further ones of rough coats.
-    [[nodiscard]] int first_rays() const;
-    [[nodiscard]] bool has_environment() const;
+    [[nodiscard]] int first_rays() const {
+        int rays = 0;
+        for (const WaveLight& light : lights) {
+            rays += light.samples;
+        }
+        return rays;
+    }
     /// Number of directions sampled towards the environment for a rough coat that the camera sees,
     /// beyond the first.
-    [[nodiscard]] int further_rays() const { return has_environment() ? glossy_samples - 1 : 0; }
+    [[nodiscard]] int further_rays() const { return has_environment ? glossy_samples - 1 : 0; }
 };
-
-/// For one frame; everything is borrowed.
-[[nodiscard]] WaveScene make_wave_scene(const TransportScene& scene);
-/// Adds what path tracing needs.
-void set_up(WaveScene& wave_scene, const PathSettings& settings, const Caustics& caustics);
 
 }  // namespace carom::render

@@ -29,6 +29,10 @@ CAROM_KERNEL Vec3<typename L::Value> select(typename L::Mask mask,
     return {L::select(mask, yes.x, no.x), L::select(mask, yes.y, no.y),
             L::select(mask, yes.z, no.z)};
 }
+template <class L>
+CAROM_KERNEL Vec3<typename L::Value> opposite(const Vec3<typename L::Value>& v) {
+    return {L::opposite_sign(v.x), L::opposite_sign(v.y), L::opposite_sign(v.z)};
+}
 /// `v` of length 1, if it is not 0.
 template <class L>
 CAROM_KERNEL Vec3<typename L::Value> unit(const Vec3<typename L::Value>& v) {

@@ -5,7 +5,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#include "render/sampling/lanes-inl.h"
+#include "render/sampling/kernels-inl.h"
 
 #ifndef CAROM_SAMPLES_OF_LANES
 #define CAROM_SAMPLES_OF_LANES
@@ -34,27 +34,27 @@ HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 HWY_ATTR void fill(test::LaneSamples& samples) {
-    const FloatTag d;
-    const WordTag words;
-    const LaneSampler sampler(hn::Load(words, samples.pixel_hash),
-                              hn::Load(words, samples.reversed_sample));
-    const U set = hn::Load(words, samples.set);
-    F numbers[5];
-    F x[4], y[4];
+    using L = Lanes;
+    const auto load = [](const std::uint32_t* words)
+                          HWY_ATTR { return hn::Load(L::WordTag(), words); };
+    const SamplerOf<L> sampler(load(samples.pixel_hash), load(samples.reversed_sample));
+    const L::Word set = load(samples.set);
+    L::Value numbers[5];
+    L::Value x[4], y[4];
     sampler.get_camera_sample(numbers);
     for (int i = 0; i < 5; ++i) {
-        hn::Store(numbers[i], d, samples.camera[i]);
+        L::store(numbers[i], samples.camera[i]);
     }
-    F four[4];
+    L::Value four[4];
     sampler.get_4d(set, four);
     sampler.get_2d_block(samples.block_set, x, y);
     for (int i = 0; i < 4; ++i) {
-        hn::Store(four[i], d, samples.four[i]);
-        hn::Store(x[i], d, samples.block[i]);
-        hn::Store(y[i], d, samples.block[4 + i]);
+        L::store(four[i], samples.four[i]);
+        L::store(x[i], samples.block[i]);
+        L::store(y[i], samples.block[4 + i]);
     }
-    hn::Store(sampler.get_1d(set), d, samples.one);
-    samples.lanes = lane_count();
+    L::store(sampler.get_1d(set), samples.one);
+    samples.lanes = L::count();
     samples.target = hwy::TargetName(HWY_TARGET);
 }
 

@@ -1,12 +1,10 @@
-#include "render/integrator/wave/wave_groups.h"
-
 #include <map>
 #include <tuple>
 #include <utility>
-#include <variant>
 
 #include "core/assert.h"
 #include "render/frame_scene/scene_object.h"
+#include "render/integrator/wave/make_wave_scene.h"
 
 namespace carom::render {
 namespace {
@@ -21,13 +19,24 @@ WaveGroup::Kind kind_of(const SceneObject& object, bool moves) {
     return object.is_upright_box && !moves ? WaveGroup::Kind::box : WaveGroup::Kind::shape;
 }
 
-void add_shape(const SceneObject& object, WaveShapes& shapes) {
-    shapes.unit_from_world.add(object.frame.unit_from_world);
-    shapes.world_from_unit.add(object.frame.world_from_unit);
-    shapes.metres_from_world.add(object.metres_from_world);
-    shapes.half_size.add(object.half_size);
-    shapes.parameters.add(object.parameters);
-    shapes.bounding_radius.push_back(object.bounding_radius);
+// In the order of ShapeRow.
+std::vector<float> numbers_of(const SceneObject& object) {
+    std::vector<float> numbers;
+    const auto add = [&](const V3f& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
+    const auto add_map = [&](const Affine& map) {
+        for (int row = 0; row < 3; ++row) {
+            add(V3f(map.linear[row][0], map.linear[row][1], map.linear[row][2]));
+        }
+        add(map.translation);
+    };
+    add_map(object.frame.unit_from_world);
+    add_map(object.frame.world_from_unit);
+    add_map(object.metres_from_world);
+    add(object.half_size);
+    add(object.parameters);
+    numbers.push_back(object.bounding_radius);
+    CAROM_ASSERT(numbers.size() == kShapeRows);
+    return numbers;
 }
 
 WaveGroup make_group(const TransportScene& scene, const SceneObject& object, bool moves) {
@@ -41,6 +50,7 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     group.bump = material.bump();
     if (const GlassConstants* glass = material.glass(); glass != nullptr) {
         group.absorption = glass->absorption;
+        group.absorbs = glass->absorption != V3f(0, 0, 0);
     }
     group.has_texture = group.texture->kind != TextureKind::plain;
     group.needs_uv = group.texture->kind == TextureKind::image;
@@ -62,34 +72,33 @@ std::uint8_t traits_of(const Material& material) {
 
 }  // namespace
 
-void WaveMaps::add(const Affine& map) {
-    for (int row = 0; row < 3; ++row) {
-        rows[row].add(V3f(map.linear[row][0], map.linear[row][1], map.linear[row][2]));
-    }
-    translation.add(map.translation);
-}
-
-WaveGroups make_wave_groups(const TransportScene& scene) {
+void add_objects(const TransportScene& scene, SceneArena& arena, WaveScene& wave_scene) {
     // By kind, shape, motion, material and mesh.
     using Key = std::tuple<WaveGroup::Kind, ShapeKind, bool, std::uint32_t, const TriangleMesh*>;
     std::map<Key, std::uint16_t> known;
-    WaveGroups result;
+    std::vector<WaveGroup> groups;
+    std::vector<std::uint16_t> group_of_object;
+    std::vector<std::uint8_t> traits;
+    NumberTable shapes;
     for (std::uint32_t index = 0; index < scene.first_light_object; ++index) {
         const SceneObject& object = scene.frame.object(index);
         const WaveGroup group = make_group(scene, object, scene.frame.moves(index));
         const auto* mesh = group.kind == WaveGroup::Kind::mesh ? object.mesh.get() : nullptr;
         const Key key{group.kind, group.shape, group.moves, group.material, mesh};
-        CAROM_ASSERT(result.groups.size() < 0xffff || known.contains(key));
+        CAROM_ASSERT(groups.size() < 0xffff || known.contains(key));
         const auto [place, is_new] =
-            known.try_emplace(key, static_cast<std::uint16_t>(result.groups.size()));
+            known.try_emplace(key, static_cast<std::uint16_t>(groups.size()));
         if (is_new) {
-            result.groups.push_back(group);
+            groups.push_back(group);
         }
-        result.of_object.push_back(place->second);
-        result.traits.push_back(traits_of(scene.materials[object.material]));
-        add_shape(object, result.shapes);
+        group_of_object.push_back(place->second);
+        traits.push_back(traits_of(scene.materials[object.material]));
+        shapes.add(numbers_of(object));
     }
-    return result;
+    wave_scene.groups = arena.list(groups);
+    wave_scene.group_of_object = arena.list(group_of_object);
+    wave_scene.traits = arena.add(traits);
+    wave_scene.shapes = shapes.rows(arena);
 }
 
 }  // namespace carom::render

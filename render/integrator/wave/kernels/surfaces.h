@@ -1,0 +1,174 @@
+// The points that rays hit, and the surfaces that materials give there, in lanes. Included as
+// render/lanes/kernels/vectors.h is.
+
+/// Lanes beyond the last hit repeat it.
+template <class L>
+struct WaveHitOf {
+    typename L::Int vertex, path, object;
+    RayOf<L> ray;
+    typename L::Value distance;
+};
+
+template <class L>
+CAROM_KERNEL WaveHitOf<L> hit_at(const SurfaceTask& task, int first) {
+    WaveHitOf<L> hit;
+    hit.vertex = L::smaller_int(L::from(first), L::all_int(task.last - 1));
+    hit.path = gather<L>(task.vertices.path, hit.vertex);
+    hit.object = gather<L>(task.vertices.object, hit.vertex);
+    hit.ray = {gather<L>(task.paths.origin, hit.path), gather<L>(task.paths.direction, hit.path)};
+    hit.distance = gather<L>(task.vertices.distance, hit.vertex);
+    return hit;
+}
+
+template <class L>
+CAROM_KERNEL Vec3<typename L::Value> gather_vector(const WaveHitOf<L>& hit, const SurfaceTask& task,
+                                                   ShapeRow row) {
+    return gather_vector<L>(task.scene.shapes, row, hit.object);
+}
+template <class L>
+CAROM_KERNEL AffineOf<L> gather_map(const WaveHitOf<L>& hit, const SurfaceTask& task,
+                                    ShapeRow row) {
+    const NumberRows& shapes = task.scene.shapes;
+    return {
+        {gather_vector<L>(shapes, row, hit.object), gather_vector<L>(shapes, row + 3, hit.object),
+         gather_vector<L>(shapes, row + 6, hit.object)},
+        gather_vector<L>(shapes, row + 9, hit.object)};
+}
+
+CAROM_KERNEL TextureNeeds needs_of(const WaveGroup& group) {
+    return {group.has_texture, group.needs_uv};
+}
+
+template <class L>
+CAROM_KERNEL RotationOf<L> turn_of(const SurfaceTask& task, const WaveHitOf<L>& hit) {
+    return {gather<L>(task.rotations.real, hit.vertex),
+            gather<L>(task.rotations.vector, hit.vertex)};
+}
+
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const SurfaceTask& task, const WaveHitOf<L>& hit) {
+    const Vec3<typename L::Value> centre =
+        task.group.moves ? gather<L>(task.vertices.position, hit.vertex)
+                         : gather_vector<L>(hit, task, kWorldFromUnitTranslation);
+    const auto radius = gather<L>(task.scene.shapes, kHalfSize, hit.object);
+    SurfacePointOf<L> point = point_on_sphere<L>(hit.ray, hit.distance, centre, radius);
+    if (task.group.has_texture) {
+        Vec3<typename L::Value> arm = point.geometric_normal * radius;
+        if (task.group.moves) {
+            arm = turn_of<L>(task, hit).undo(arm);
+        }
+        set_place_on_sphere<L>(gather_map<L>(hit, task, kMetresFromWorld), arm, radius,
+                               needs_of(task.group), point);
+    }
+    return point;
+}
+
+/// Ray and point are in the axes of the body; for objects without a track, in the world's. Not
+/// inlined: each shape's code is long.
+template <class L>
+CAROM_KERNEL_OUTLINED SurfacePointOf<L> point_on_shape(const SurfaceTask& task,
+                                                       const WaveHitOf<L>& hit,
+                                                       const RayOf<L>& ray) {
+    const auto zero = L::all(0);
+    MappedShapeOf<L> shape;
+    shape.unit_from_body = gather_map<L>(hit, task, kUnitFromWorld);
+    shape.body_from_unit = gather_map<L>(hit, task, kWorldFromUnit);
+    shape.metres_from_body = affine_of<L>(Affine());
+    shape.half_size = {zero, zero, zero};
+    if (task.group.has_texture) {
+        shape.metres_from_body = gather_map<L>(hit, task, kMetresFromWorld);
+    }
+    if (task.group.needs_uv) {
+        shape.half_size = gather_vector<L>(hit, task, kHalfSize);
+    }
+    shape.parameters = gather_vector<L>(hit, task, kParameters);
+    return point_on_shape<L>(task.group.shape, shape, ray, hit.distance, needs_of(task.group));
+}
+
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const SurfaceTask& task, const WaveHitOf<L>& hit) {
+    const auto byte = L::product(hit.path, static_cast<std::int32_t>(sizeof(Hit)));
+    const auto field = [&](std::size_t offset) CAROM_KERNEL_ATTRIBUTE {
+        return L::from_word(
+            L::gather_bytes(task.hits, byte + L::all_int(static_cast<std::int32_t>(offset))));
+    };
+    const auto u = L::from_bits(field(offsetof(Hit, u)));
+    const auto v = L::from_bits(field(offsetof(Hit, v)));
+    SurfacePointOf<L> point = point_on_mesh<L>(task.group.mesh, field(offsetof(Hit, primitive)), u,
+                                               v, task.group.needs_uv);
+    if (task.group.has_texture) {
+        point.object_position = affine_of<L>(task.group.metres_from_world).point(point.position);
+    }
+    return point;
+}
+
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_in_body(const SurfaceTask& task, const WaveHitOf<L>& hit,
+                                             const RayOf<L>& ray) {
+    return task.group.kind == WaveGroup::Kind::mesh ? point_on_mesh<L>(task, hit)
+                                                    : point_on_shape<L>(task, hit, ray);
+}
+
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_at(const SurfaceTask& task, const WaveHitOf<L>& hit) {
+    if (task.group.kind == WaveGroup::Kind::sphere) {
+        return point_on_sphere<L>(task, hit);
+    }
+    if (task.group.kind == WaveGroup::Kind::box) {
+        return point_on_upright_box<L>(
+            hit.ray, hit.distance, gather_vector<L>(hit, task, kWorldFromUnitTranslation),
+            gather_vector<L>(hit, task, kHalfSize), needs_of(task.group));
+    }
+    if (!task.group.moves) {
+        return point_in_body<L>(task, hit, hit.ray);
+    }
+    const PoseOf<L> body{gather<L>(task.vertices.position, hit.vertex), turn_of<L>(task, hit)};
+    return moved<L>(body, point_in_body<L>(task, hit, body.in_body(hit.ray)));
+}
+
+/// Within glass paths lose light (Beer and Lambert).
+template <class L>
+CAROM_KERNEL void absorb(const SurfaceTask& task, const WaveHitOf<L>& hit,
+                         typename L::Mask from_behind) {
+    const auto remains = [&](float rate) CAROM_KERNEL_ATTRIBUTE {
+        return exponential_of<L>(L::all(-rate) * hit.distance);
+    };
+    const V3f& rate = task.group.absorption;
+    const Vec3<typename L::Value> throughput = gather<L>(task.paths.throughput, hit.path);
+    const Vec3<typename L::Value> reduced =
+        throughput * Vec3<typename L::Value>{remains(rate.x), remains(rate.y), remains(rate.z)};
+    scatter<L>(select<L>(from_behind, reduced, throughput), task.paths.throughput, hit.path);
+}
+
+/// Completes the vertices from `first` on.
+template <class L>
+CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
+    const WaveGroup& group = task.group;
+    const SurfaceQueue& vertices = task.vertices;
+    const WaveHitOf<L> hit = hit_at<L>(task, first);
+    const SurfacePointOf<L> point = point_at<L>(task, hit);
+    const Vec3<typename L::Value> wo = opposite<L>(hit.ray.direction);
+    const auto cosine =
+        L::larger(L::size(dot(point.geometric_normal, wo)), L::all(kLeastConeCosine));
+    const auto width = gather<L>(task.paths.cone_width, hit.path) +
+                       gather<L>(task.paths.cone_spread, hit.path) * hit.distance;
+    const TexturePointOf<L> textured{point.object_position, point.geometric_normal, point.uv,
+                                     point.uv_per_metre, point.uv_metres};
+    const ResolvedOf<L> surface = resolve_surface<L>(
+        *group.texture, group.bump, textured, point.shading_normal, wo, width / L::root(cosine));
+    const auto radius = group.kind == WaveGroup::Kind::mesh
+                            ? L::all(group.bounding_radius)
+                            : gather<L>(task.scene.shapes, kBoundingRadius, hit.object);
+    store<L>(point.position, vertices.position, first);
+    store<L>(surface.geometric_normal, vertices.geometric_normal, first);
+    store<L>(surface.normal, vertices.normal, first);
+    store<L>(offset_at<L>(point.position, radius), vertices.offset, first);
+    store<L>(surface.base, vertices.base, first);
+    if (task.scene.materials.transmits) {
+        store<L>(L::select_int(surface.from_behind, L::all_int(1), L::all_int(0)),
+                 vertices.from_behind, first);
+    }
+    if (group.absorbs && task.scene.absorbs) {
+        absorb<L>(task, hit, surface.from_behind);
+    }
+}
