@@ -57,6 +57,9 @@ struct AppendedPaths {
     PathQueue& to;
     bool transmits;  // in the scene
 
+    [[nodiscard]] HWY_INLINE const AppendedPaths& at(int /*k*/) const {
+        return *this;
+    }
     HWY_INLINE void operator()(const ContinuingPathOf<Lanes>& path, Mask goes) const {
         const PackedStore store(goes, to.count);
         store_ray(store, path, to);

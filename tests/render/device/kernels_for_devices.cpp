@@ -27,6 +27,7 @@
 #include "render/geometry/motion_pieces.h"
 #include "render/geometry/shape_kind.h"
 #include "render/integrator/path_constants.h"
+#include "render/integrator/wave/wave_step.h"
 #include "render/lanes/scalar_lanes.h"
 #include "render/light/light_constants.h"
 #include "render/material/albedo_numbers.h"
@@ -50,6 +51,7 @@ namespace carom::render::device {
 #include "render/light/kernels/all.h"
 #include "render/camera/kernels/thin_lens.h"
 #include "render/integrator/kernels/all.h"
+#include "render/integrator/wave/kernels/all.h"
 #include "render/acceleration/kernels/culling.h"
 // clang-format on
 
@@ -217,6 +219,97 @@ CAROM_KERNEL void follow(const Scene& scene, const RayOf<L>& ray, const Vec2<flo
     sum.add(power_heuristic<L>(u.x, u.y) * survival_of<L>(ray.origin));
     sum.add(solid_angle_fraction<L>(ray.origin, ray.direction, u.x, u.y, 2));
     sum.add(splitting_at<L>(0, 2, 3, u.x > u.y, u.x < u.y).any_gloss ? u.x : u.y);
+}
+
+/// A wave in a device's memory. Every thread has one vertex, whose continuing paths have places of
+/// their own; what is taken is moved together afterwards.
+struct Wave {
+    WaveScene scene;
+    CameraSamples samples;
+    PathQueue paths;
+    SurfaceQueue vertices;
+    ShadowQueue shadows;
+    RotationQueue rotations;
+    EscapedQueue missed;
+    LobeWave reflection, refraction;
+    NumberRows models;
+    Floats3 own;
+    const Hit* hits;
+    ContinuingPathOf<L>* coats;
+    ContinuingPathOf<L>* bases;
+    SentRayOf<L>* sent;
+    int* taken;              // by place, those of coats first
+    int* asks_for_caustics;  // by vertex
+    int* survives;           // by path
+};
+
+/// A place for a path.
+template <class PathOf>
+struct Place {
+    PathOf* path;
+    int* taken;
+
+    CAROM_KERNEL void operator()(const PathOf& continuing, bool goes) const {
+        *path = continuing;
+        *taken = goes ? 1 : 0;
+    }
+};
+
+/// The places of a vertex.
+struct Places {
+    ContinuingPathOf<L>* paths;
+    int* taken;
+    int stride;
+
+    [[nodiscard]] CAROM_KERNEL Place<ContinuingPathOf<L>> at(int k) const {
+        return {paths + k * stride, taken + k * stride};
+    }
+};
+struct PlacesOfVertex {
+    Places coat, base;
+    int* asks;
+
+    CAROM_KERNEL void near_sphere(bool needed) const { *asks = needed ? 1 : 0; }
+};
+
+CAROM_KERNEL void step_of_path(const Wave& wave, int i) {
+    wave.survives[i] = survivors_of<L>(wave.samples, wave.paths, i) ? 1 : 0;
+    const int count = wave.vertices.count;
+    for (const WaveGroup& group : wave.scene.groups) {
+        resolve_surfaces<L>(
+            {wave.scene, group, wave.paths, wave.hits, wave.rotations, wave.vertices, count}, i);
+    }
+    const WaveStep step{wave.scene, wave.samples, wave.paths, wave.vertices, wave.shadows};
+    int* const of_bases = wave.taken + count * wave.scene.glossy_samples;
+    shade_surfaces<L>(step, i,
+                      PlacesOfVertex{{wave.coats + i, wave.taken + i, count},
+                                     {wave.bases + i, of_bases + i, count},
+                                     wave.asks_for_caustics + i});
+    trace_coats<L>(step, i, Place<ContinuingPathOf<L>>{wave.coats + i, wave.taken + i});
+    sum_light<L>(wave.shadows, i);
+    shade_background<L>(wave.scene, wave.paths, wave.missed, i);
+}
+
+CAROM_KERNEL void step_of_ray(const Wave& wave, int i) {
+    const DistributedStep step{wave.scene,
+                               wave.models,
+                               1,
+                               {},
+                               wave.samples,
+                               wave.paths,
+                               wave.vertices,
+                               wave.shadows,
+                               wave.own,
+                               wave.reflection,
+                               wave.refraction};
+    shade_rays<L>(step, i);
+    wave.survives[i] = find_lobes<L>(step, i).reflection;
+    send_rays<L>(step, wave.reflection, 0, i, Place<SentRayOf<L>>{wave.sent + i, wave.taken + i});
+}
+
+CAROM_ENTRY wave_step(CAROM_GLOBAL const Wave* waves, int i) {
+    step_of_path(*waves, i);
+    step_of_ray(*waves, i);
 }
 
 CAROM_ENTRY kernels(CAROM_GLOBAL const Scene* scenes, CAROM_GLOBAL const unsigned* numbers,

@@ -126,6 +126,7 @@ void tuple_cat(T...);
 
 #define HUGE_VALF __builtin_inff()
 #define NAN __builtin_nanf("")
+#define offsetof(type, field) __builtin_offsetof(type, field)
 
 /// The parts that are used, most of them only by code that sets data up and is not called here.
 namespace Imath {

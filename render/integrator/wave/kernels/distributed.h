@@ -27,22 +27,17 @@ struct DistributedVertexOf {
 };
 
 template <class L>
-CAROM_KERNEL ClassicOf<L> models_of(const NumberRows& models, typename L::Int material) {
-    ClassicOf<L> model;
-    int row = 0;
-    ClassicOf<L>::each_number(model, [&](typename L::Value& number) CAROM_KERNEL_ATTRIBUTE {
-        number = gather<L>(models, row++, material);
-    });
-    return model;
-}
-
-template <class L>
 CAROM_KERNEL DistributedVertexOf<L> distributed_vertex_at(const DistributedStep& step, int first) {
     const SurfaceQueue& in = step.vertices;
     const auto valid = L::before(in.count - first);
     const auto ray = load<L>(in.path, first);
     const auto slot = gather<L>(step.rays.slot, ray);
     const Vec3<typename L::Value> direction = gather<L>(step.rays.direction, ray);
+    const auto material = materials_of<L>(in, first, valid);
+    ClassicOf<L> model;
+    set_numbers<L>(
+        step.models,
+        [&](const float* row) CAROM_KERNEL_ATTRIBUTE { return L::gather(row, material); }, model);
     return {first,
             valid,
             is_set<L>(load<L>(in.from_behind, first)),
@@ -56,7 +51,7 @@ CAROM_KERNEL DistributedVertexOf<L> distributed_vertex_at(const DistributedStep&
             gather<L>(step.rays.throughput, ray),
             gather<L>(step.rays.time, ray),
             L::to_word(gather<L>(step.rays.branch, ray)),
-            models_of<L>(step.models, materials_of<L>(in, first, valid)),
+            model,
             sampler_of<L>(step.samples, slot)};
 }
 
@@ -105,8 +100,8 @@ CAROM_KERNEL void shade_rays(const DistributedStep& step, int first) {
             v.sampler.get_4d(child_of<L>(v.node ^ L::all_word(kLightSets), L::all_word(pair)),
                              numbers);
         }
-        const int half = 2 * (index % 2);
-        Vec2<typename L::Value> u{numbers[half], numbers[half + 1]};
+        const int pair_at = 2 * (index % 2);
+        Vec2<typename L::Value> u{numbers[pair_at], numbers[pair_at + 1]};
         if (step.counts.centred) {
             // Both coordinates of a rectangle, the axis of a sphere's cone.
             u = {L::all(light.is_round ? 0.F : 0.5F), L::all(0.5F)};
@@ -120,7 +115,7 @@ CAROM_KERNEL void shade_rays(const DistributedStep& step, int first) {
 /// A direction of a lobe, with its cosine to the axis.
 template <class L>
 struct LobeRayOf {
-    Vec3<typename L::Value> local;
+    Vec3<typename L::Value> direction;  // around +z
     typename L::Value weight;
 };
 
@@ -131,9 +126,9 @@ CAROM_KERNEL LobeRayOf<L> lobe_ray(const Vec2<typename L::Value>& numbers, int k
     const auto one = L::all(1);
     const Vec2<typename L::Value> u = lattice_point<L>(numbers, k, samples);
     const Vec3<typename L::Value> along{L::all(0), L::all(0), one};
-    const Vec3<typename L::Value> local = select<L>(
+    const Vec3<typename L::Value> direction = select<L>(
         spreads, sample_gaussian_lobe<L>(u, L::select(spreads, spread, one), most), along);
-    return {local, local.z};
+    return {direction, direction.z};
 }
 
 /// The random numbers of a lobe's rays, and the place in the tree of which they are children.
@@ -232,9 +227,9 @@ CAROM_KERNEL void send_rays(const DistributedStep& step, const LobeWave& lobe, i
     if (samples > 1) {
         ray = lobe_ray<L>(numbers.u, k, samples, spread, load<L>(lobe.most, first), spreads);
         const BasisOf<L> basis = basis_around<L>(axis);
-        const Vec3<typename L::Value> turned{L::opposite_sign(ray.local.x),
-                                             L::opposite_sign(ray.local.y), ray.local.z};
-        const Vec3<typename L::Value> near = unit<L>(basis.to_world(ray.local));
+        const Vec3<typename L::Value> turned{L::opposite_sign(ray.direction.x),
+                                             L::opposite_sign(ray.direction.y), ray.direction.z};
+        const Vec3<typename L::Value> near = unit<L>(basis.to_world(ray.direction));
         // A ray that would pass to the wrong side is turned to the opposite azimuth.
         const auto stays = L::is_less(zero, dot(near, outside));
         const Vec3<typename L::Value> far = unit<L>(basis.to_world(turned));

@@ -106,7 +106,7 @@ CAROM_KERNEL void proceed(const WaveStep& step, const VertexOf<L>& v, const Cont
     next(path, goes);
 }
 
-/// `next` takes each of the coats' directions.
+/// `next.at(k)` takes the `k`th direction of each coat.
 template <class L, class Next>
 CAROM_KERNEL void follow_coats(const WaveStep& step, const VertexOf<L>& v,
                                const ContinuationOf<L>& from, const SamplerOf<L>& sampler,
@@ -134,10 +134,11 @@ CAROM_KERNEL void follow_coats(const WaveStep& step, const VertexOf<L>& v,
         }
         const auto branch = twice + L::all_int(static_cast<std::int32_t>(kBranchesOfOneCoat) * k);
         proceed<L>(step, v, from, sample_coat<L>(v.bsdf, v.splits, from.takes_coat, point), branch,
-                   v.coat_samples, k == 0 ? coats : v.shows_gloss, connects, next);
+                   v.coat_samples, k == 0 ? coats : v.shows_gloss, connects, next.at(k));
     }
 }
 
+/// Likewise; there is one direction.
 template <class L, class Next>
 CAROM_KERNEL void follow_base(const WaveStep& step, const VertexOf<L>& v,
                               const ContinuationOf<L>& from, const Vec2<typename L::Value>& u,
@@ -147,5 +148,5 @@ CAROM_KERNEL void follow_base(const WaveStep& step, const VertexOf<L>& v,
         sample_base<L>(v.bsdf, v.splits, {after_choice<L>(v.bsdf, v.splits, u.x), u.y});
     const auto branch =
         L::select_int(v.splits, from.branch + from.branch + L::all_int(1), from.branch);
-    proceed<L>(step, v, from, to, branch, L::all(1), bases, connects, next);
+    proceed<L>(step, v, from, to, branch, L::all(1), bases, connects, next.at(0));
 }

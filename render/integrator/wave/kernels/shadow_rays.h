@@ -161,8 +161,8 @@ CAROM_KERNEL void sample_all_lights(const WaveStep& step, VertexOf<L>& v,
         if (asked % 2 == 0) {
             sampler.get_4d(L::all_word(kLightPairSets + asked / 2), pair);
         }
-        const std::uint32_t half = asked % 2;
-        const Vec2<typename L::Value> u{pair[2 * half], pair[2 * half + 1]};
+        const std::uint32_t first = 2 * (asked % 2);
+        const Vec2<typename L::Value> u{pair[first], pair[first + 1]};
         asked += 1;
         if (light.is_environment()) {
             k = sample_environment<L>(step, v, light, u, k);

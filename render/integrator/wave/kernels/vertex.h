@@ -21,21 +21,23 @@ struct VertexOf {
     typename L::Value total_importance, environment_samples;
 };
 
-/// `number_in` returns each lane's number of a row.
+/// Sets the numbers of a material. `number_in` returns each lane's number of a row.
+template <class L, class NumberIn, class Numbers>
+CAROM_KERNEL void set_numbers(const NumberRows& rows, const NumberIn& number_in, Numbers& numbers) {
+    int row = 0;
+    Numbers::each_number(numbers, [&](typename L::Value& number) CAROM_KERNEL_ATTRIBUTE {
+        number = number_in(rows.row(row++));
+    });
+}
+
 template <class L, class NumberIn>
 CAROM_KERNEL void set_layers(const WaveMaterials& materials, typename L::Int material,
                              const NumberIn& number_in, LayersOf<L>& layers) {
-    const auto set = [&](const NumberRows& rows, auto& numbers) CAROM_KERNEL_ATTRIBUTE {
-        int row = 0;
-        std::decay_t<decltype(numbers)>::each_number(
-            numbers, [&](typename L::Value& number)
-                         CAROM_KERNEL_ATTRIBUTE { number = number_in(rows.row(row++)); });
-    };
-    set(materials.layers, layers);
+    set_numbers<L>(materials.layers, number_in, layers);
     const auto is_glass = L::is_less(L::all(0), layers.transmission);
     layers.any_glass = materials.glass.at != nullptr && !L::none(is_glass);
     if (layers.any_glass) {
-        set(materials.glass, layers.glass);
+        set_numbers<L>(materials.glass, number_in, layers.glass);
     }
     layers.is_phong = L::before(0);
     if (materials.phong.at != nullptr) {
@@ -43,7 +45,7 @@ CAROM_KERNEL void set_layers(const WaveMaterials& materials, typename L::Int mat
     }
     layers.any_phong = !L::none(layers.is_phong);
     if (layers.any_phong) {
-        set(materials.phong, layers.phong);
+        set_numbers<L>(materials.phong, number_in, layers.phong);
     }
     layers.tables = materials.albedos;
     layers.first = L::product(material, kAlbedoNodes);
