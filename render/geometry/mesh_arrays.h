@@ -3,14 +3,23 @@
 
 #include <cstdint>
 
+#include "render/lanes/list.h"
+
 namespace carom::render {
 
 /// Borrowed: the numbers of a TriangleMesh one after the other.
 struct MeshArrays {
-    const float* vertices = nullptr;
-    const float* normals = nullptr;  // null: none
-    const float* uv = nullptr;       // null: none
-    const std::int32_t* triangles = nullptr;
+    List<float> vertices;
+    List<float> normals, uv;  // the mesh may have none
+    List<std::int32_t> triangles;
+
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        visit(vertices);
+        visit(normals);
+        visit(uv);
+        visit(triangles);
+    }
 };
 
 }  // namespace carom::render

@@ -7,6 +7,8 @@
 #include <Imath/ImathQuat.h>
 #include <Imath/ImathVec.h>
 
+#include "render/lanes/list.h"
+
 namespace carom::render {
 
 /// One cubic piece of a path: position(d) = c[0] + d (c[1] + d (c[2] + d c[3])) with
@@ -36,9 +38,14 @@ struct RotationPiece {
 /// All pieces of a motion, in order of time; the first of each kind is valid from minus infinity,
 /// the last to infinity. At least one of each.
 struct MotionPieces {
-    const PathPiece* path = nullptr;
-    const RotationPiece* turns = nullptr;
-    std::int32_t path_count = 0, rotation_count = 0;
+    List<PathPiece> path;
+    List<RotationPiece> turns;
+
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        visit(path);
+        visit(turns);
+    }
 };
 
 }  // namespace carom::render

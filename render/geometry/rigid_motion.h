@@ -38,8 +38,7 @@ class RigidMotion {
     [[nodiscard]] std::span<const PathPiece> path() const { return path_; }
 
     [[nodiscard]] MotionPieces pieces() const {
-        return {path_.data(), turns_.data(), static_cast<std::int32_t>(path_.size()),
-                static_cast<std::int32_t>(turns_.size())};
+        return {List<PathPiece>(path_), List<RotationPiece>(turns_)};
     }
 
     [[nodiscard]] V3f position(float time) const;

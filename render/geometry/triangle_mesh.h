@@ -24,11 +24,17 @@ struct TriangleMesh {
 [[nodiscard]] inline MeshArrays arrays_of(const TriangleMesh& mesh) {
     static_assert(sizeof(V3f) == 3 * sizeof(float) && sizeof(V2f) == 2 * sizeof(float));
     static_assert(sizeof(mesh.triangles[0]) == 3 * sizeof(std::int32_t));
-    return {mesh.vertices.data()->getValue(),
-            mesh.normals.empty() ? nullptr : mesh.normals.data()->getValue(),
-            mesh.uv.empty() ? nullptr : mesh.uv.data()->getValue(),
+    const auto numbers = [](const auto& vectors) {
+        using Vector = std::decay_t<decltype(vectors[0])>;
+        return vectors.empty()
+                   ? List<float>()
+                   : List<float>(vectors.front().getValue(),
+                                 static_cast<std::int64_t>(vectors.size() * Vector::dimensions()));
+    };
+    return {numbers(mesh.vertices), numbers(mesh.normals), numbers(mesh.uv),
             // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the signed type
-            reinterpret_cast<const std::int32_t*>(mesh.triangles.data()->data())};
+            List<std::int32_t>(reinterpret_cast<const std::int32_t*>(mesh.triangles.data()->data()),
+                               3 * static_cast<std::int64_t>(mesh.triangles.size()))};
 }
 
 /// Upper bounds for a mesh; larger ones are rejected with an Error.

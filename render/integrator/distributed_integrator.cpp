@@ -82,12 +82,15 @@ DistributedIntegrator::DistributedIntegrator(const TransportScene& scene,
                                              const DistributedSettings& settings)
     : scene_(scene),
       settings_(settings),
-      wave_scene_(make_wave_scene(scene, arena_)),
-      models_(make_models(scene.materials, arena_)),
-      kernels_(&best_wave_kernels()) {
-    wave_scene_.materials.transmits = true;  // sides of surfaces matter
-    wave_scene_.absorbs = false;             // the model has no absorption
-}
+      wave_scene_(make_wave_scene(
+          scene,
+          [&](WaveScene& known, SceneArena& arena) {
+              known.materials.classic = make_models(scene.materials, arena);
+              known.materials.transmits = true;  // sides of surfaces matter
+              known.absorbs = false;             // the model has no absorption
+          },
+          arena_)),
+      kernels_(&best_wave_kernels()) {}
 
 std::unique_ptr<Integrator::Workspace> DistributedIntegrator::make_workspace() const {
     return std::make_unique<Forest>(*this);
@@ -116,7 +119,6 @@ void DistributedIntegrator::trace(Forest& forest, int generation) const {
     };
     const DistributedStep step{
         wave_scene_,
-        models_,
         static_cast<float>(settings_.ambient_coefficient),
         {of_generation(settings_.shadow_samples), settings_.shadow_samples == 1,
          of_generation(settings_.reflection_samples), of_generation(settings_.refraction_samples)},

@@ -46,8 +46,7 @@ class DistributedIntegrator final : public Integrator {
     TransportScene scene_;
     DistributedSettings settings_;
     SceneArena arena_;
-    WaveScene wave_scene_;
-    NumberRows models_;  // ClassicOf, by material
+    const WaveScene& wave_scene_;
     const WaveKernels* kernels_;
 };
 

@@ -120,8 +120,12 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
       caustics_(scene_),
       light_tracer_(light_tracer),
       kernels_(&best_wave_kernels()),
-      wave_scene_(make_wave_scene(scene, arena_)) {
-    set_up(wave_scene_, settings, caustics_, arena_);
+      wave_scene_(make_wave_scene(
+          scene,
+          [this](WaveScene& known, SceneArena& arena) {
+              set_up(settings_, caustics_, known, arena);
+          },
+          arena_)) {
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
     if (!scene.lights.environment().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
@@ -176,7 +180,7 @@ void PathIntegrator::shade_surfaces(Wave& wave, RenderStatistics& count) const {
         paths->count = 0;
         paths->vertex = wave.vertex + 1;
     }
-    int rays = wave_scene_.lights.count == 0 ? 0 : 1;
+    int rays = wave_scene_.lights.exists() ? 1 : 0;
     if (rays > 0 && wave.vertex == 0) {
         rays = wave_scene_.first_rays() + (vertices.has_gloss ? wave_scene_.further_rays() : 0);
     }

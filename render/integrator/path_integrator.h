@@ -66,7 +66,7 @@ class PathIntegrator final : public Integrator {
     const LightTracer* light_tracer_;
     const WaveKernels* kernels_;
     SceneArena arena_;
-    WaveScene wave_scene_;
+    const WaveScene& wave_scene_;
     int wave_samples_;           // camera samples in a wave
     V3f constant_sky_{0, 0, 0};  // unless the wave's scene has a sky
 };

@@ -30,8 +30,8 @@ struct ScalarLanes {
     static int count() { return 1; }
     /// `first` and the numbers that follow it.
     static Int from(std::int32_t first) { return first; }
-    /// The lanes before the `n`th; n >= 0.
-    static Mask before(int n) { return n > 0; }
+    /// The first `n` lanes; n >= 0.
+    static Mask first_lanes(int n) { return n > 0; }
     /// The number in the first lane.
     static std::int32_t first_of(Int x) { return x; }
 

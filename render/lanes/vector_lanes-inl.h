@@ -32,7 +32,9 @@ struct VectorLanes {
     static HWY_INLINE Word all_word(std::uint32_t x) { return hn::Set(WordTag(), x); }
     static HWY_INLINE int count() { return static_cast<int>(hn::Lanes(D())); }
     static HWY_INLINE Int from(std::int32_t first) { return hn::Iota(IntTag(), first); }
-    static HWY_INLINE Mask before(int n) { return hn::FirstN(D(), static_cast<std::size_t>(n)); }
+    static HWY_INLINE Mask first_lanes(int n) {
+        return hn::FirstN(D(), static_cast<std::size_t>(n));
+    }
     static HWY_INLINE std::int32_t first_of(Int x) { return hn::GetLane(x); }
 
     static HWY_INLINE Mask is_less(Value a, Value b) { return hn::Lt(a, b); }

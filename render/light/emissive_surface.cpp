@@ -49,12 +49,9 @@ float EmissiveSurface::importance(const V3f& point, const V3f& normal) const {
 
 EmissiveSurfaceConstants EmissiveSurface::constants() const {
     static_assert(sizeof(Triangle) == 9 * sizeof(float));
-    return {triangles_.front().front().getValue(),
-            area_cdf_.data(),
-            static_cast<int>(triangles_.size()),
-            area_,
-            radiance_,
-            importance_};
+    return {List<float>(triangles_.front().front().getValue(),
+                        9 * static_cast<std::int64_t>(triangles_.size())),
+            List<float>(area_cdf_), area_, radiance_, importance_};
 }
 
 }  // namespace carom::render

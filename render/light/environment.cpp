@@ -92,7 +92,8 @@ float Environment::cell_brightness(int x, int y) const {
 }
 
 EnvironmentPicture Environment::picture() const {
-    return {width_, height_, padded_.data(), scale_ * unit_, turns_, distribution_.tables()};
+    return {width_,         height_, List<std::uint32_t>(padded_),
+            scale_ * unit_, turns_,  distribution_.tables()};
 }
 
 V3f Environment::radiance(const V3f& direction) const {

@@ -85,12 +85,17 @@ struct EmissiveShapeConstants {
 
 /// An EmissiveSurface. Borrows its arrays.
 struct EmissiveSurfaceConstants {
-    const float* corners = nullptr;   // nine numbers for each triangle
-    const float* area_cdf = nullptr;  // by triangle: the areas up to its end, over that of all
-    int count = 0;                    // of triangles, >= 1
-    float area = 0;                   // m^2
+    List<float> corners;   // nine numbers for each triangle; at least one
+    List<float> area_cdf;  // by triangle: the areas up to its end, over that of all
+    float area = 0;        // m^2
     V3f radiance{0, 0, 0};
     ObjectImportance importance;
+
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        visit(corners);
+        visit(area_cdf);
+    }
 };
 
 }  // namespace carom::render

@@ -25,6 +25,13 @@ struct AlbedoNumbers {
     const float* mirrored = nullptr;
     const float* through = nullptr;
 
+    /// Of tables that lie `stride` numbers apart, in the order of `each`.
+    [[nodiscard]] static AlbedoNumbers in_rows(const float* first, std::ptrdiff_t stride) {
+        const auto row = [&](int kind) { return first + kind * stride; };
+        return {row(0), row(1), row(2), row(3), row(4), row(5),
+                row(6), row(7), row(8), row(9), row(10)};
+    }
+
     /// All of them, always in the same order.
     template <class Numbers>
     [[nodiscard]] static auto each(Numbers& numbers) {

@@ -23,11 +23,11 @@ class Distribution2D {
     [[nodiscard]] DistributionTables tables() const {
         return {width_,
                 height_,
-                mean_ > 0 ? density_.data() : nullptr,
-                row_cdf_.data(),
-                column_cdfs_.data(),
-                row_cuts_.data(),
-                column_cuts_.data()};
+                mean_ > 0 ? List<float>(density_) : List<float>(),
+                List<float>(row_cdf_),
+                List<float>(column_cdfs_),
+                List<std::uint16_t>(row_cuts_),
+                List<std::uint16_t>(column_cuts_)};
     }
 
     /// Mean weight over the square.

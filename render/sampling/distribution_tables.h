@@ -3,18 +3,30 @@
 
 #include <cstdint>
 
+#include "render/lanes/list.h"
+
 namespace carom::render {
 
 /// Borrowed. See Distribution2D.
 struct DistributionTables {
     int width = 0;
     int height = 0;
-    const float* density = nullptr;      // per cell, mean 1; null: no weights
-    const float* row_cdf = nullptr;      // height + 1 values from 0 to 1
-    const float* column_cdfs = nullptr;  // per row: width + 1 values from 0 to 1
+    List<float> density;      // per cell, mean 1; without weights it doesn't exist
+    List<float> row_cdf;      // height + 1 values from 0 to 1
+    List<float> column_cdfs;  // per row: width + 1 values from 0 to 1
     // Where the search in the cdf begins, with room for two more numbers.
-    const std::uint16_t* row_cuts = nullptr;
-    const std::uint16_t* column_cuts = nullptr;
+    List<std::uint16_t> row_cuts;
+    List<std::uint16_t> column_cuts;
+
+    /// Calls `visit` with every list.
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        visit(density);
+        visit(row_cdf);
+        visit(column_cdfs);
+        visit(row_cuts);
+        visit(column_cuts);
+    }
 };
 
 }  // namespace carom::render

@@ -181,9 +181,8 @@ ImageTables ImagePyramid::tables() const {
     tables.is_grey = std::holds_alternative<MipPyramid<HalfNumberCodec>>(levels_);
     if (!values_.empty()) {
         tables.levels.longest_side = 0.5f * static_cast<float>(std::max(width_, height_));
-        tables.codes =
-            std::visit([](const auto& codes) -> const void* { return codes.data(); }, codes_);
-        tables.values = values_.data();
+        tables.codes = std::visit([](const auto& codes) { return bytes_of(codes); }, codes_);
+        tables.values = List<float>(values_);
         tables.has_16_bits = std::holds_alternative<std::vector<std::uint16_t>>(codes_);
         tables.width = width_;
         tables.height = height_;

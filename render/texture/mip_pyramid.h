@@ -16,6 +16,13 @@ namespace carom::render {
 /// Beyond [0, 1], a picture continues its edge or repeats.
 enum class Wrap { clamp, repeat };
 
+template <class T>
+[[nodiscard]] List<std::uint8_t> bytes_of(const std::vector<T>& list) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of plain data
+    return {reinterpret_cast<const std::uint8_t*>(list.data()),
+            static_cast<std::int64_t>(list.size() * sizeof(T))};
+}
+
 /// What a texel of the next level shows.
 template <class Value>
 [[nodiscard]] Value mean_of_four(const Value& a, const Value& b, const Value& c, const Value& d) {
@@ -74,11 +81,10 @@ class MipPyramid {
 
     /// For kernels; valid as long as this object is.
     [[nodiscard]] PyramidTables tables() const {
-        return {texels_.data(),
-                firsts_.data(),
-                widths_.data(),
-                heights_.data(),
-                static_cast<int>(level_count()),
+        return {bytes_of(texels_),
+                List<std::int32_t>(firsts_),
+                List<std::int32_t>(widths_),
+                List<std::int32_t>(heights_),
                 static_cast<float>(std::max(width(), height())),
                 wrap_ == Wrap::repeat};
     }

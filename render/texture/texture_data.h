@@ -4,32 +4,47 @@
 #include <cstdint>
 
 #include "render/geometry/ray.h"
+#include "render/lanes/list.h"
 
 namespace carom::render {
 
 /// See MipPyramid::tables. Indices count texels from `texels` on, all bytes of which fit an
 /// integer. A level is stored row by row, with a border of one texel all around.
 struct PyramidTables {
-    const void* texels = nullptr;         // null: no picture
-    const std::int32_t* first = nullptr;  // by level: the index of its upper left texel
-    const std::int32_t* width = nullptr;  // by level, without the border
-    const std::int32_t* height = nullptr;
-    int level_count = 0;
+    List<std::uint8_t> texels;  // of any type; without a picture they don't exist
+    List<std::int32_t> first;   // by level: the index of its upper left texel
+    List<std::int32_t> width;   // by level, without the border
+    List<std::int32_t> height;
     float longest_side = 0;  // of the finest level, texels
     bool repeats = false;    // beyond [0, 1] the picture repeats; otherwise its edge is continued
+
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        visit(texels);
+        visit(first);
+        visit(width);
+        visit(height);
+    }
 };
 
 /// See ImagePyramid.
 struct ImageTables {
     PyramidTables levels;  // of half-float colours or numbers; with codes, without the finest one
     bool is_grey = false;
-    /// The finest level as the file has it, row by row without a border; or null. Colours are three
-    /// codes, one after the other.
-    const void* codes = nullptr;
-    const float* values = nullptr;  // of the codes
-    bool has_16_bits = false;       // each code, instead of 8
+    /// The finest level as the file has it, row by row without a border, if it exists. Colours are
+    /// three codes, one after the other.
+    List<std::uint8_t> codes;  // of 8 or 16 bits
+    List<float> values;        // of the codes
+    bool has_16_bits = false;  // each code, instead of 8
     int width = 0;
     int height = 0;
+
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        levels.each_list(visit);
+        visit(codes);
+        visit(values);
+    }
 };
 
 /// A picture laid onto a surface.
@@ -89,6 +104,16 @@ struct TextureData {
     ClothParameters cloth;
     WoodParameters wood;
     CheckerParameters checker;
+
+    /// Calls `visit` with every list.
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        image.picture.each_list(visit);
+        ball.number.each_list(visit);
+        cloth.weave.each_list(visit);
+        cloth.nap.each_list(visit);
+        cloth.wear.each_list(visit);
+    }
 };
 
 /// Cells along the sides of ClothTiles: threads of the weave, cells of the nap's noise, and the

@@ -9,15 +9,16 @@ struct PieceAt {
     bool is_first;  // in all lanes
 
     /// The piece that is valid at a time.
-    CAROM_KERNEL PieceAt(const Piece* list, std::int32_t count, typename L::Value time)
-        : index(L::all_int(0)), is_first(count == 1) {
+    CAROM_KERNEL PieceAt(const List<Piece>& list, typename L::Value time)
+        : index(L::all_int(0)), is_first(list.count() == 1) {
+        const std::int32_t count = list.count();
         std::int32_t step = 1;
         while (step < count) {
             step *= 2;
         }
         for (step /= 2; step > 0; step /= 2) {
             const auto other = L::smaller_int(index + L::all_int(step), L::all_int(count - 1));
-            const auto begins = gathered(&list->start, other);
+            const auto begins = gathered(&list[0].start, other);
             index = L::select_int(L::is_at_most(begins, time), other, index);
         }
     }
@@ -41,8 +42,8 @@ struct PieceAt {
 template <class L>
 CAROM_KERNEL Vec3<typename L::Value> position_at(const MotionPieces& motion,
                                                  typename L::Value time) {
-    const PieceAt<L, PathPiece> at(motion.path, motion.path_count, time);
-    const PathPiece& first = *motion.path;
+    const PieceAt<L, PathPiece> at(motion.path, time);
+    const PathPiece& first = motion.path[0];
     return point_on_path<L>(at.vector(first.c[0]), at.vector(first.c[1]), at.vector(first.c[2]),
                             at.vector(first.c[3]), time - at.place(first.start));
 }
@@ -59,8 +60,8 @@ CAROM_KERNEL RotationOf<L> rotation_after(const RotationOf<L>& begin,
 /// How the body is turned.
 template <class L>
 CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, typename L::Value time) {
-    const PieceAt<L, RotationPiece> at(motion.turns, motion.rotation_count, time);
-    const RotationPiece& first = *motion.turns;
+    const PieceAt<L, RotationPiece> at(motion.turns, time);
+    const RotationPiece& first = motion.turns[0];
     RotationOf<L> begin{at.place(first.world_from_body.r), at.vector(first.world_from_body.v)};
     const auto half_angle = at.place(first.half_angle);
     const auto turns = L::is_less(L::all(0), half_angle);
@@ -104,7 +105,7 @@ struct BodyOf {
 template <class L>
 CAROM_KERNEL BodyOf<L> body_at(const MotionPieces& motion, bool is_round, typename L::Value time) {
     const auto zero = L::all(0);
-    const bool moves = motion.path != nullptr;
+    const bool moves = motion.path.exists();
     BodyOf<L> body{
         moves, moves && !is_round, {{zero, zero, zero}, {L::all(1), {zero, zero, zero}}}};
     if (body.moves) {

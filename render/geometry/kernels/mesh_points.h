@@ -24,23 +24,23 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, typename L:
     const V one = L::all(1);
     const auto first = triangle + triangle + triangle;
     const auto twofold = first + first;
-    const auto corners = L::gather_bytes_pair(mesh.triangles, twofold + twofold);
+    const auto corners = L::gather_bytes_pair(mesh.triangles.data(), twofold + twofold);
     const auto index_a = L::from_word(corners.first);
     const auto index_b = L::from_word(corners.second);
-    const auto index_c = L::gather_int(mesh.triangles, first + L::all_int(2));
-    const Vec3<V> a = three_at<L>(mesh.vertices, index_a);
-    const Vec3<V> edge_b = three_at<L>(mesh.vertices, index_b) - a;
-    const Vec3<V> edge_c = three_at<L>(mesh.vertices, index_c) - a;
+    const auto index_c = L::gather_int(mesh.triangles.data(), first + L::all_int(2));
+    const Vec3<V> a = three_at<L>(mesh.vertices.data(), index_a);
+    const Vec3<V> edge_b = three_at<L>(mesh.vertices.data(), index_b) - a;
+    const Vec3<V> edge_c = three_at<L>(mesh.vertices.data(), index_c) - a;
     const V w = one - u - v;
     SurfacePointOf<L> point;
     point.position = a + edge_b * u + edge_c * v;
     const Vec3<V> across = cross(edge_b, edge_c);
     point.geometric_normal = unit<L>(across);
     point.shading_normal = point.geometric_normal;
-    if (mesh.normals != nullptr) {
-        const Vec3<V> mixed = three_at<L>(mesh.normals, index_a) * w +
-                              three_at<L>(mesh.normals, index_b) * u +
-                              three_at<L>(mesh.normals, index_c) * v;
+    if (mesh.normals.exists()) {
+        const Vec3<V> mixed = three_at<L>(mesh.normals.data(), index_a) * w +
+                              three_at<L>(mesh.normals.data(), index_b) * u +
+                              three_at<L>(mesh.normals.data(), index_c) * v;
         const V length2 = dot(mixed, mixed);
         const V cosine = dot(mixed, point.geometric_normal);
         const auto exists =
@@ -53,10 +53,10 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, typename L:
         return point;
     }
     point.uv = {u, v};
-    if (mesh.uv != nullptr) {
-        const Vec2<V> uv_a = two_at<L>(mesh.uv, index_a);
-        const Vec2<V> corner_b = two_at<L>(mesh.uv, index_b);
-        const Vec2<V> corner_c = two_at<L>(mesh.uv, index_c);
+    if (mesh.uv.exists()) {
+        const Vec2<V> uv_a = two_at<L>(mesh.uv.data(), index_a);
+        const Vec2<V> corner_b = two_at<L>(mesh.uv.data(), index_b);
+        const Vec2<V> corner_c = two_at<L>(mesh.uv.data(), index_c);
         const Vec2<V> uv_b{corner_b.x - uv_a.x, corner_b.y - uv_a.y};
         const Vec2<V> uv_c{corner_c.x - uv_a.x, corner_c.y - uv_a.y};
         point.uv = {uv_a.x + u * uv_b.x + v * uv_c.x, uv_a.y + u * uv_b.y + v * uv_c.y};

@@ -48,7 +48,7 @@ const Hit* HitSurfaces::trace(const PathQueue& paths) {
 void HitSurfaces::find(const PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices) {
     sort(hit_paths, vertices);
     int first = 0;
-    for (int k = 0; k < wave_scene_.groups.count; ++k) {
+    for (int k = 0; k < wave_scene_.groups.count(); ++k) {
         const WaveGroup& group = wave_scene_.groups[k];
         const int last = group_ends_[static_cast<std::size_t>(k)];
         if (first < last) {
@@ -64,7 +64,7 @@ void HitSurfaces::find(const PathQueue& paths, const IndexList& hit_paths, Surfa
 void HitSurfaces::sort(const IndexList& hit_paths, SurfaceQueue& vertices) {
     const List<std::uint16_t>& groups = wave_scene_.group_of_object;
     std::vector<int>& ends = group_ends_;
-    ends.assign(static_cast<std::size_t>(wave_scene_.groups.count) + 1, 0);
+    ends.assign(static_cast<std::size_t>(wave_scene_.groups.size()) + 1, 0);
     for (int k = 0; k < hit_paths.count; ++k) {
         ends[groups[hits_[static_cast<std::size_t>(hit_paths.at.at[k])].object] + 1u] += 1;
     }

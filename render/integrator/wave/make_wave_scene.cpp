@@ -1,7 +1,6 @@
 #include "render/integrator/wave/make_wave_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <variant>
 
 #include "render/integrator/light_hits.h"
@@ -13,7 +12,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     WaveLight light;
     light.is_round = lights.is_round(index);
     if (lights.is_environment(index)) {
-        const bool has_light = lights.environment().picture().distribution.density != nullptr;
+        const bool has_light = lights.environment().picture().distribution.density.exists();
         light.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::dark_environment;
         return light;
     }
@@ -46,8 +45,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
 WaveMaterials make_materials(const std::vector<Material>& all, SceneArena& arena) {
     WaveMaterials materials;
     NumberTable layers, glass, phong;
-    std::vector<float> is_phong;
-    std::array<std::vector<float>, kAlbedoKinds> albedos;
+    std::vector<float> is_phong, albedos;
     const auto has = [&](bool (Material::*trait)() const) {
         return std::any_of(all.begin(), all.end(),
                            [&](const Material& material) { return (material.*trait)(); });
@@ -58,10 +56,11 @@ WaveMaterials make_materials(const std::vector<Material>& all, SceneArena& arena
         glass.add(numbers.glass);
         phong.add(numbers.phong);
         is_phong.push_back(material.is_phong() ? 1.0F : 0.0F);
-        const auto tables = AlbedoNumbers::each(numbers.tables);
-        for (std::size_t kind = 0; kind < kAlbedoKinds; ++kind) {
-            const float* const table = *tables[kind];
-            albedos[kind].insert(albedos[kind].end(), table, table + kAlbedoNodes);
+    }
+    for (std::size_t kind = 0; kind < kAlbedoKinds; ++kind) {
+        for (const Material& material : all) {
+            const float* const table = *AlbedoNumbers::each(material.numbers().tables)[kind];
+            albedos.insert(albedos.end(), table, table + kAlbedoNodes);
         }
     }
     materials.transmits = has(&Material::is_transmissive);
@@ -69,14 +68,49 @@ WaveMaterials make_materials(const std::vector<Material>& all, SceneArena& arena
     materials.glass = has(&Material::is_glass) ? glass.rows(arena) : NumberRows{};
     materials.phong = has(&Material::is_phong) ? phong.rows(arena) : NumberRows{};
     materials.is_phong = arena.add(is_phong);
-    const auto tables = AlbedoNumbers::each(materials.albedos);
-    for (std::size_t kind = 0; kind < kAlbedoKinds; ++kind) {
-        *tables[kind] = arena.add(albedos[kind]);
-    }
+    materials.albedos = {arena.add(albedos), static_cast<std::int32_t>(all.size()) * kAlbedoNodes};
     return materials;
 }
 
+WaveScene& make_in(const TransportScene& scene, const WaveSetUp& set_up, SceneArena& arena) {
+    WaveScene& known = arena.make<WaveScene>();
+    std::vector<WaveLight> lights;
+    for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
+        lights.push_back(known_light(scene.lights, light));
+        known.has_environment = known.has_environment || lights.back().is_environment();
+    }
+    known.lights = arena.add(lights);
+    const Environment& environment = scene.lights.environment();
+    known.environment_importance = environment.importance();
+    if (environment.is_sampled() && environment.picture().distribution.density.exists()) {
+        known.has_sky = true;
+        known.sky = environment.picture();
+        arena.take(known.sky);
+    }
+    add_objects(scene, known, arena);
+    known.materials = make_materials(scene.materials, arena);
+    std::vector<TextureData> textures;
+    for (const Material& material : scene.materials) {
+        textures.push_back(material.texture().data());
+    }
+    known.textures = arena.add(textures);
+    set_up(known, arena);
+    return known;
+}
+
 }  // namespace
+
+void* SceneArena::room(std::size_t bytes) {
+    const std::size_t size = rounded(bytes);
+    size_of_all_ += size;
+    if (blocks_.empty() || used_ + size > blocks_.back().size()) {
+        CAROM_ASSERT(!is_whole_);
+        blocks_.emplace_back(std::max(size, kBlock));
+        used_ = 0;
+    }
+    used_ += size;
+    return blocks_.back().data() + (used_ - size);
+}
 
 NumberRows NumberTable::rows(SceneArena& arena) const {
     const std::size_t row = count_ > 0 ? numbers_.size() / count_ : 0;
@@ -89,39 +123,33 @@ NumberRows NumberTable::rows(SceneArena& arena) const {
     return {arena.add(sorted), static_cast<std::int32_t>(count_)};
 }
 
-WaveScene make_wave_scene(const TransportScene& scene, SceneArena& arena) {
-    WaveScene known;
-    std::vector<WaveLight> lights;
-    for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
-        lights.push_back(known_light(scene.lights, light));
-        known.has_environment = known.has_environment || lights.back().is_environment();
+const WaveScene& make_wave_scene(const TransportScene& scene, const WaveSetUp& set_up,
+                                 SceneArena& arena) {
+    const WaveScene& made = make_in(scene, set_up, arena);
+#ifdef CAROM_VALIDATION
+    constexpr std::size_t kMostToMove = std::size_t{64} << 20;
+    if (arena.size_of_all() <= kMostToMove) {
+        arena = SceneArena(arena.size_of_all());
+        make_in(scene, set_up, arena);
+        return arena.moved<WaveScene>();
     }
-    known.lights = arena.list(lights);
-    const Environment& environment = scene.lights.environment();
-    known.environment_importance = environment.importance();
-    if (environment.is_sampled() && environment.picture().distribution.density != nullptr) {
-        known.has_sky = true;
-        known.sky = environment.picture();
-    }
-    add_objects(scene, arena, known);
-    known.materials = make_materials(scene.materials, arena);
-    return known;
+#endif
+    return made;
 }
 
-void set_up(WaveScene& wave_scene, const PathSettings& settings, const Caustics& caustics,
+void set_up(const PathSettings& settings, const Caustics& caustics, WaveScene& wave_scene,
             SceneArena& arena) {
     if (settings.strategy == DirectStrategy::scattering_only) {
-        wave_scene.lights.count = 0;
+        wave_scene.lights = {};
         wave_scene.has_environment = false;
     }
-    const auto objects = static_cast<std::size_t>(wave_scene.group_of_object.count);
-    wave_scene.spheres = arena.list(caustics.sphere_bounds());
+    wave_scene.spheres = arena.add(caustics.sphere_bounds());
     std::vector<std::int32_t> sphere_of_object = caustics.sphere_of_object();
-    sphere_of_object.resize(objects, -1);
+    sphere_of_object.resize(static_cast<std::size_t>(wave_scene.group_of_object.size()), -1);
     wave_scene.sphere_of_object = arena.add(sphere_of_object);
     wave_scene.strategy = settings.strategy;
     wave_scene.max_bounces = settings.max_bounces;
-    const bool has_gloss = std::any_of(wave_scene.traits, wave_scene.traits + objects,
+    const bool has_gloss = std::any_of(wave_scene.traits.begin(), wave_scene.traits.end(),
                                        [](std::uint8_t trait) { return (trait & kHasGloss) != 0; });
     wave_scene.glossy_samples = has_gloss ? settings.glossy_samples : 1;
     wave_scene.split_vertices = settings.split_vertices;

@@ -1,41 +1,89 @@
 // Makes the scene for the kernels of a wave.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
-#include <memory_resource>
+#include <new>
 #include <utility>
 #include <vector>
 
+#include "core/assert.h"
+#include "render/acceleration/large_vector.h"
 #include "render/integrator/caustics.h"
 #include "render/integrator/transport_scene.h"
 #include "render/integrator/wave/wave_scene.h"
 
 namespace carom::render {
 
-/// The memory of a scene's plain data, all of which it frees together.
+/// The memory of a frame's scene. Everything in it leads only to what else is in it, by distances:
+/// a device may have a copy of the block. For processors the large arrays of meshes, textures and
+/// pictures, which stay the same from frame to frame, are left where they are.
 class SceneArena {
   public:
-    /// A copy of the list.
+    SceneArena() = default;
+    /// In which those are copied, too. `size`: of the block, at least `size_of_all` of an arena for
+    /// processors.
+    explicit SceneArena(std::size_t size) : is_whole_(true) { blocks_.emplace_back(size); }
+
     template <class T>
-    [[nodiscard]] T* add(const std::vector<T>& list) {
-        return std::uninitialized_copy(list.begin(), list.end(), room_for<T>(list.size())) -
-               list.size();
+    [[nodiscard]] T& make() {
+        return *new (room(sizeof(T))) T();
     }
+    /// A copy of the list, and of what its entries lead to.
     template <class T>
-    [[nodiscard]] List<T> list(const std::vector<T>& from) {
-        return {add(from), static_cast<std::int32_t>(from.size())};
+    [[nodiscard]] List<T> add(const std::vector<T>& list) {
+        T* const copy = static_cast<T*>(room(list.size() * sizeof(T)));
+        std::uninitialized_copy(list.begin(), list.end(), copy);
+        if constexpr (requires(T entry) { entry.each_list([](auto&) {}); }) {
+            std::for_each(copy, copy + list.size(), [&](T& entry) { take(entry); });
+        }
+        return {copy, static_cast<std::int64_t>(list.size())};
+    }
+    /// Copies what lists lead to, if it has to be.
+    template <class Lists>
+    void take(Lists& lists) {
+        lists.each_list([&](auto& list) { take_list(list); });
+    }
+
+    [[nodiscard]] std::size_t size_of_all() const { return size_of_all_; }
+    /// Moves everything to other addresses. Returns where what was made first is.
+    template <class T>
+    [[nodiscard]] T& moved() {
+        CAROM_ASSERT(is_whole_ && blocks_.size() == 1);
+        LargeVector<std::byte> copy = blocks_.front();
+        std::fill(blocks_.front().begin(), blocks_.front().end(), std::byte{0xff});
+        blocks_.front() = std::move(copy);
+        return *std::launder(reinterpret_cast<T*>(blocks_.front().data()));
     }
 
   private:
-    template <class T>
-    T* room_for(std::size_t count) {
-        static_assert(std::is_trivially_destructible_v<T>);
-        return static_cast<T*>(memory_->allocate(count * sizeof(T), 64));
-    }
+    static constexpr std::size_t kAlignment = 64;
+    static constexpr std::size_t kBlock = std::size_t{1} << 16;
+    /// Kernels read up to so many bytes beyond the last entry of a list.
+    static constexpr std::size_t kReadBeyond = 16;
 
-    std::unique_ptr<std::pmr::monotonic_buffer_resource> memory_ =
-        std::make_unique<std::pmr::monotonic_buffer_resource>();
+    [[nodiscard]] static std::size_t rounded(std::size_t bytes) {
+        return (bytes + kReadBeyond + kAlignment - 1) / kAlignment * kAlignment;
+    }
+    template <class T>
+    void take_list(List<T>& list) {
+        const std::size_t bytes = static_cast<std::size_t>(list.size()) * sizeof(T);
+        if (!is_whole_) {
+            size_of_all_ += rounded(bytes);
+        } else if (list.exists()) {
+            T* const copy = static_cast<T*>(room(bytes));
+            std::uninitialized_copy(list.begin(), list.end(), copy);
+            list = List<T>(copy, list.size());
+        }
+    }
+    void* room(std::size_t bytes);
+
+    std::vector<LargeVector<std::byte>> blocks_;
+    std::size_t used_ = 0;  // of the last block
+    std::size_t size_of_all_ = 0;
+    bool is_whole_ = false;
 };
 
 /// Numbers of many things, which become NumberRows.
@@ -58,13 +106,17 @@ class NumberTable {
     std::size_t count_ = 0;
 };
 
-/// For one frame. Meshes, textures and pictures are borrowed; the rest is in `arena`.
-[[nodiscard]] WaveScene make_wave_scene(const TransportScene& scene, SceneArena& arena);
-/// Adds what path tracing needs.
-void set_up(WaveScene& wave_scene, const PathSettings& settings, const Caustics& caustics,
+/// Adds to a scene what an integrator needs.
+using WaveSetUp = std::function<void(WaveScene& scene, SceneArena& arena)>;
+
+/// For one frame; the scene is in the arena. With expensive checks on it has been moved as a whole.
+[[nodiscard]] const WaveScene& make_wave_scene(const TransportScene& scene, const WaveSetUp& set_up,
+                                               SceneArena& arena);
+/// What path tracing needs.
+void set_up(const PathSettings& settings, const Caustics& caustics, WaveScene& wave_scene,
             SceneArena& arena);
 
 /// Sets shapes, groups and traits, for all objects of a frame that have a material.
-void add_objects(const TransportScene& scene, SceneArena& arena, WaveScene& wave_scene);
+void add_objects(const TransportScene& scene, WaveScene& wave_scene, SceneArena& arena);
 
 }  // namespace carom::render

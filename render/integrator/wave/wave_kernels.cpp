@@ -23,7 +23,7 @@ inline HWY_ATTR void russian_roulette_in_lanes(const CameraSamples& samples, con
         const auto path = gather<Lanes>(reached.at, place);
         const auto survives = survivors_of<Lanes>(samples, paths, path);
         // What is overwritten has been read.
-        append(path, Lanes::both(survives, Lanes::before(count - first)), reached);
+        append(path, Lanes::both(survives, Lanes::first_lanes(count - first)), reached);
     }
 }
 

@@ -46,14 +46,14 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     group.shape = object.kind;
     group.moves = moves;
     group.material = object.material;
-    group.texture = &material.texture().data();
     group.bump = material.bump();
     if (const GlassConstants* glass = material.glass(); glass != nullptr) {
         group.absorption = glass->absorption;
         group.absorbs = glass->absorption != V3f(0, 0, 0);
     }
-    group.has_texture = group.texture->kind != TextureKind::plain;
-    group.needs_uv = group.texture->kind == TextureKind::image;
+    const TextureKind texture = material.texture().data().kind;
+    group.has_texture = texture != TextureKind::plain;
+    group.needs_uv = texture == TextureKind::image;
     if (group.kind == WaveGroup::Kind::mesh) {
         group.mesh = arrays_of(*object.mesh);
         group.metres_from_world = object.metres_from_world;
@@ -72,7 +72,7 @@ std::uint8_t traits_of(const Material& material) {
 
 }  // namespace
 
-void add_objects(const TransportScene& scene, SceneArena& arena, WaveScene& wave_scene) {
+void add_objects(const TransportScene& scene, WaveScene& wave_scene, SceneArena& arena) {
     // By kind, shape, motion, material and mesh.
     using Key = std::tuple<WaveGroup::Kind, ShapeKind, bool, std::uint32_t, const TriangleMesh*>;
     std::map<Key, std::uint16_t> known;
@@ -95,8 +95,8 @@ void add_objects(const TransportScene& scene, SceneArena& arena, WaveScene& wave
         traits.push_back(traits_of(scene.materials[object.material]));
         shapes.add(numbers_of(object));
     }
-    wave_scene.groups = arena.list(groups);
-    wave_scene.group_of_object = arena.list(group_of_object);
+    wave_scene.groups = arena.add(groups);
+    wave_scene.group_of_object = arena.add(group_of_object);
     wave_scene.traits = arena.add(traits);
     wave_scene.shapes = shapes.rows(arena);
 }

@@ -1,4 +1,4 @@
-// The scene for the kernels of a wave. Plain data: a WaveSceneMemory owns what it points to.
+// The scene for the kernels of a wave. Plain data, whose memory is that of a SceneArena.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,19 @@
 #include "render/geometry/shape_kind.h"
 #include "render/integrator/path_settings.h"
 #include "render/integrator/sphere_bounds.h"
+#include "render/lanes/list.h"
 #include "render/light/light_constants.h"
 #include "render/material/albedo_numbers.h"
 #include "render/texture/texture_data.h"
 
 namespace carom::render {
 
-template <class T>
-struct List {
-    const T* at = nullptr;
-    std::int32_t count = 0;
-
-    [[nodiscard]] const T* begin() const { return at; }
-    [[nodiscard]] const T* end() const { return at + count; }
-    [[nodiscard]] const T& operator[](std::int64_t i) const { return at[i]; }
-};
-
 /// Numbers of many things, a row for each kind of number.
 struct NumberRows {
-    const float* at = nullptr;  // null: no thing has them
-    std::int32_t count = 0;     // of things
+    List<float> numbers;
+    std::int32_t count = 0;  // of a row
 
-    [[nodiscard]] const float* row(int i) const { return at + std::int64_t{i} * count; }
+    [[nodiscard]] const float* row(int i) const { return numbers.data() + std::int64_t{i} * count; }
 };
 
 /// A light for the kernels.
@@ -46,15 +37,22 @@ struct WaveLight {
     MotionPieces motion;               // of an object that moves
 
     [[nodiscard]] bool is_environment() const { return kind == Kind::environment; }
+
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        surface.each_list(visit);
+        motion.each_list(visit);
+    }
 };
 
 /// By material; rows in the order of `each_number` (material/kernels/material_numbers.h).
 struct WaveMaterials {
     NumberRows layers;
-    NumberRows glass, phong;          // null if no material has any
-    const float* is_phong = nullptr;  // 1 or 0
-    bool transmits = false;           // some material does
-    AlbedoNumbers albedos;            // kAlbedoNodes numbers for each material, by kind of table
+    NumberRows glass, phong;  // exist if some material has them
+    List<float> is_phong;     // 1 or 0
+    bool transmits = false;   // some material does
+    NumberRows albedos;  // kAlbedoNodes numbers for each material; a row for each kind of table
+    NumberRows classic;  // ClassicOf, of distributed ray tracing
 };
 
 /// Objects of one kind of shape and one material, whose hits are completed together; a mesh is a
@@ -67,7 +65,6 @@ struct WaveGroup {
     ShapeKind shape = ShapeKind::box;
     bool moves = false;
     std::uint32_t material = 0;
-    const TextureData* texture = nullptr;
     bool absorbs = false;
     V3f absorption{0, 0, 0};  // of the glass inside, 1/m
     float bump = 0;
@@ -76,6 +73,11 @@ struct WaveGroup {
     MeshArrays mesh;
     Affine metres_from_world;   // of a mesh
     float bounding_radius = 0;  // of a mesh
+
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        mesh.each_list(visit);
+    }
 };
 
 /// What a hit of an object needs besides becoming a vertex, as bits.
@@ -107,14 +109,15 @@ struct WaveScene {
     EnvironmentPicture sky;  // of a sampled environment
 
     List<SphereBounds> spheres;
-    const std::int32_t* sphere_of_object = nullptr;  // or -1
+    List<std::int32_t> sphere_of_object;  // or -1
 
     WaveMaterials materials;
-    bool absorbs = true;  // within glass
-    NumberRows shapes;    // by object
+    List<TextureData> textures;  // by material
+    bool absorbs = true;         // within glass
+    NumberRows shapes;           // by object
     List<WaveGroup> groups;
     List<std::uint16_t> group_of_object;
-    const std::uint8_t* traits = nullptr;  // by object
+    List<std::uint8_t> traits;  // by object
     DirectStrategy strategy = DirectStrategy::both;
     int max_bounces = 0;
     int split_vertices = 0;

@@ -42,8 +42,7 @@ struct DistributedCounts {
 /// Of a generation of rays of distributed ray tracing that have reached their vertices.
 struct DistributedStep {
     const WaveScene& scene;
-    const NumberRows& models;  // ClassicOf, by material
-    float ambient;             // radiance
+    float ambient;  // radiance
     DistributedCounts counts;
     const CameraSamples& samples;
     const PathQueue& rays;  // their branch is the ray's place in the tree

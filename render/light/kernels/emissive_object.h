@@ -276,22 +276,22 @@ CAROM_KERNEL LightSampleOf<L> sample_surface(const EmissiveSurfaceConstants& sur
     const V one = L::all(1);
     // The triangle within whose part of the area u.x lies, by bisection.
     auto index = L::all_int(0);
-    auto last = L::all_int(surface.count - 1);
+    auto last = L::all_int(surface.area_cdf.count() - 1);
     for (;;) {
         const auto is_open = L::is_less_int(index, last);
         if (L::none(is_open)) {
             break;
         }
         const auto middle = index + L::template shifted_right_int<1>(last - index);
-        const auto ends_above = L::is_less(u.x, L::gather(surface.area_cdf, middle));
+        const auto ends_above = L::is_less(u.x, L::gather(surface.area_cdf.data(), middle));
         last = L::select_int(L::both(is_open, ends_above), middle, last);
         index =
             L::select_int(L::both(is_open, L::opposite(ends_above)), middle + L::all_int(1), index);
     }
     const auto previous = L::larger_int(index - L::all_int(1), L::all_int(0));
     const V before = L::select(L::is_less_int(L::all_int(0), index),
-                               L::gather(surface.area_cdf, previous), zero);
-    const V fraction = L::gather(surface.area_cdf, index) - before;
+                               L::gather(surface.area_cdf.data(), previous), zero);
+    const V fraction = L::gather(surface.area_cdf.data(), index) - before;
     const auto has_area = L::is_less(zero, fraction);
     const V rest = L::select(
         has_area,
@@ -299,9 +299,9 @@ CAROM_KERNEL LightSampleOf<L> sample_surface(const EmissiveSurfaceConstants& sur
         L::all(0.5f));
     const auto number = L::product(index, 9);
     const auto corner = [&](int first) CAROM_KERNEL_ATTRIBUTE {
-        return Vec3<V>{L::gather(surface.corners + first, number),
-                       L::gather(surface.corners + first + 1, number),
-                       L::gather(surface.corners + first + 2, number)};
+        return Vec3<V>{L::gather(surface.corners.data() + first, number),
+                       L::gather(surface.corners.data() + first + 1, number),
+                       L::gather(surface.corners.data() + first + 2, number)};
     };
     const Vec3<V> a = corner(0);
     const Vec3<V> b = corner(3);

@@ -26,7 +26,7 @@ CAROM_KERNEL Vec3<typename L::Value> environment_radiance(const EnvironmentPictu
     const auto first = L::product(y0, stride) + x0;
     const auto row = [&](int offset) CAROM_KERNEL_ATTRIBUTE {
         const auto index = first + L::all_int(offset);
-        return L::gather_bytes_pair(picture.padded, index + index + index + index);
+        return L::gather_bytes_pair(picture.padded.data(), index + index + index + index);
     };
     const auto mix =
         [](const Vec3<typename L::Value>& a, const Vec3<typename L::Value>& b, typename L::Value t)

@@ -75,12 +75,12 @@ CAROM_KERNEL UvSampleOf<L> sample_piecewise_constant(const DistributionTables& t
                                                      const Vec2<typename L::Value>& u) {
     const auto zero = L::all_int(0);
     const CellOf<L> row =
-        find_cell<L>(tables.row_cdf, zero, tables.row_cuts, zero, tables.height, u.y);
+        find_cell<L>(tables.row_cdf.data(), zero, tables.row_cuts.data(), zero, tables.height, u.y);
     const auto first_cut = L::product(row.index, tables.width);
-    const CellOf<L> column = find_cell<L>(tables.column_cdfs, first_cut + row.index,
-                                          tables.column_cuts, first_cut, tables.width, u.x);
+    const CellOf<L> column = find_cell<L>(tables.column_cdfs.data(), first_cut + row.index,
+                                          tables.column_cuts.data(), first_cut, tables.width, u.x);
     return {{coordinate_of<L>(column, tables.width), coordinate_of<L>(row, tables.height)},
-            L::gather(tables.density, first_cut + column.index)};
+            L::gather(tables.density.data(), first_cut + column.index)};
 }
 
 /// Density of `sample_piecewise_constant` per area of the unit square; `uv` in [0, 1]^2.
@@ -94,5 +94,5 @@ CAROM_KERNEL typename L::Value pdf_piecewise_constant(const DistributionTables& 
     const auto index =
         L::product(cell(uv.y, tables.height), tables.width) + cell(uv.x, tables.width);
     const auto is_inside = L::both(L::is_less(uv.x, L::all(1)), L::is_less(uv.y, L::all(1)));
-    return L::select(is_inside, L::gather(tables.density, index), L::all(0));
+    return L::select(is_inside, L::gather(tables.density.data(), index), L::all(0));
 }

@@ -73,7 +73,7 @@ CAROM_KERNEL Vec3<typename L::Value> ball_colour(const BallParameters& ball,
         const auto band = inside_circle<L>(L::size(direction.z), BallLook::kBandHalfWidth, width);
         result = mixed(all_of<L>(ball.white), result, band);
     }
-    if (ball.number.texels != nullptr) {
+    if (ball.number.texels.exists()) {
         result = with_number<L>(ball, result, direction, width);
     }
     if (ball.has_spots) {

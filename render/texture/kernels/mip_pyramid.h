@@ -57,9 +57,9 @@ CAROM_KERNEL TexelPlaceOf<L> texel_place(const PyramidTables& pyramid,
                                          typename L::Value footprint) {
     const auto texels = limited<L>(footprint * L::all(pyramid.longest_side), 1, 1e9f);
     const auto exponent = L::template shifted_right_int<23>(L::bits_of(texels)) - L::all_int(127);
-    const auto level = L::smaller_int(exponent, L::all_int(pyramid.level_count - 1));
-    const auto width = L::gather_int(pyramid.width, level);
-    const auto height = L::gather_int(pyramid.height, level);
+    const auto level = L::smaller_int(exponent, L::all_int(pyramid.first.count() - 1));
+    const auto width = L::gather_int(pyramid.width.data(), level);
+    const auto height = L::gather_int(pyramid.height.data(), level);
     const auto tile = [&](typename L::Value x) CAROM_KERNEL_ATTRIBUTE {
         return pyramid.repeats ? repeated_part<L>(x) : limited<L>(x, 0, 1);
     };
@@ -68,8 +68,8 @@ CAROM_KERNEL TexelPlaceOf<L> texel_place(const PyramidTables& pyramid,
     const auto floor_x = L::rounded_down(x);
     const auto floor_y = L::rounded_down(y);
     const auto stride = width + L::all_int(2);
-    const auto upper =
-        L::gather_int(pyramid.first, level) + L::to_int(floor_y) * stride + L::to_int(floor_x);
+    const auto upper = L::gather_int(pyramid.first.data(), level) + L::to_int(floor_y) * stride +
+                       L::to_int(floor_x);
     return {upper, upper + stride, x - floor_x, y - floor_y};
 }
 
@@ -93,7 +93,7 @@ CAROM_KERNEL Vec3<typename L::Value> look_up_half_colour(const PyramidTables& py
     const auto texel = [&](typename L::Int index) CAROM_KERNEL_ATTRIBUTE {
         const auto twofold = index + index;
         const auto fourfold = twofold + twofold;
-        const auto words = L::gather_bytes_pair(pyramid.texels, fourfold + fourfold);
+        const auto words = L::gather_bytes_pair(pyramid.texels.data(), fourfold + fourfold);
         return half_colour<L>(words.first, words.second);
     };
     const auto one = L::all_int(1);
@@ -110,7 +110,7 @@ CAROM_KERNEL typename L::Value look_up_number(const PyramidTables& pyramid,
                                               typename L::Value footprint, const Decode& decoded) {
     const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
     const auto words = [&](typename L::Int index) CAROM_KERNEL_ATTRIBUTE {
-        return L::gather_bytes(pyramid.texels, L::product(index, kBits / 8));
+        return L::gather_bytes(pyramid.texels.data(), L::product(index, kBits / 8));
     };
     const auto upper = words(place.upper);
     const auto lower = words(place.lower);
@@ -151,22 +151,22 @@ template <class L>
 CAROM_KERNEL Vec3<typename L::Value> coded_texel(const ImageTables& picture,
                                                  typename L::Int index) {
     const auto value = [&](typename L::Word code) CAROM_KERNEL_ATTRIBUTE {
-        return L::gather(picture.values, L::from_word(code));
+        return L::gather(picture.values.data(), L::from_word(code));
     };
     const auto first_code = L::product(index, picture.is_grey ? 1 : 3);
     if (picture.is_grey) {
         const auto word = L::gather_bytes(
-            picture.codes, picture.has_16_bits ? first_code + first_code : first_code);
+            picture.codes.data(), picture.has_16_bits ? first_code + first_code : first_code);
         const auto grey = value(word & L::all_word(picture.has_16_bits ? 0xffffu : 0xffu));
         return {grey, grey, grey};
     }
     if (picture.has_16_bits) {
-        const auto words = L::gather_bytes_pair(picture.codes, first_code + first_code);
+        const auto words = L::gather_bytes_pair(picture.codes.data(), first_code + first_code);
         const auto mask = L::all_word(0xffffu);
         return {value(words.first & mask), value(L::template shifted_right<16>(words.first)),
                 value(words.second & mask)};
     }
-    const auto word = L::gather_bytes(picture.codes, first_code);
+    const auto word = L::gather_bytes(picture.codes.data(), first_code);
     const auto mask = L::all_word(0xffu);
     return {value(word & mask), value(L::template shifted_right<8>(word) & mask),
             value(L::template shifted_right<16>(word) & mask)};
@@ -217,7 +217,7 @@ CAROM_KERNEL_OUTLINED Vec3<typename L::Value> look_up_image(const ImageTables& p
         const auto grey = look_up_half<L>(picture.levels, uv, footprint);
         return Vec3<typename L::Value>{grey, grey, grey};
     };
-    if (picture.codes == nullptr) {
+    if (!picture.codes.exists()) {
         return from_levels();
     }
     // The levels begin with the second one, whose longer side counts as half of the finest one's.

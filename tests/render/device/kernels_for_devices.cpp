@@ -232,7 +232,6 @@ struct Wave {
     RotationQueue rotations;
     EscapedQueue missed;
     LobeWave reflection, refraction;
-    NumberRows models;
     Floats3 own;
     const Hit* hits;
     ContinuingPathOf<L>* coats;
@@ -292,7 +291,7 @@ CAROM_KERNEL void step_of_path(const Wave& wave, int i) {
 
 CAROM_KERNEL void step_of_ray(const Wave& wave, int i) {
     const DistributedStep step{wave.scene,
-                               wave.models,
+
                                1,
                                {},
                                wave.samples,

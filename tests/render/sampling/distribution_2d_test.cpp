@@ -83,7 +83,7 @@ TEST(Distribution2D, Pdf_IntegratesToOne) {
 TEST(Distribution2D, NoWeight_HasNoDensity) {
     const std::vector<float> zeros(12, 0.f);
     const Distribution2D distribution(zeros, 4, 3);
-    EXPECT_EQ(distribution.tables().density, nullptr);
+    EXPECT_FALSE(distribution.tables().density.exists());
     EXPECT_EQ(distribution.mean(), 0);
 }
 

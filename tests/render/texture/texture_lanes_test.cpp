@@ -191,6 +191,7 @@ class SparseBytes {
     SparseBytes& operator=(const SparseBytes&) = delete;
 
     [[nodiscard]] std::uint8_t* data() const { return bytes_; }
+    [[nodiscard]] std::size_t size() const { return size_; }
 
   private:
     std::size_t size_;
@@ -208,8 +209,8 @@ TEST(TextureLanes, LargestPicture_IsReadUpToItsLastByte) {
     render::TextureData texture;
     texture.kind = render::TextureKind::image;
     render::ImageParameters& image = texture.image;
-    image.picture.codes = codes.data();
-    image.picture.values = values.data();
+    image.picture.codes = render::List<std::uint8_t>(codes);
+    image.picture.values = render::List<float>(values);
     image.picture.width = kSide;
     image.picture.height = kSide;
     image.picture.levels.longest_side = 0.5f * kSide;

@@ -29,14 +29,14 @@ struct DistributedVertexOf {
 template <class L>
 CAROM_KERNEL DistributedVertexOf<L> distributed_vertex_at(const DistributedStep& step, int first) {
     const SurfaceQueue& in = step.vertices;
-    const auto valid = L::before(in.count - first);
+    const auto valid = L::first_lanes(in.count - first);
     const auto ray = load<L>(in.path, first);
     const auto slot = gather<L>(step.rays.slot, ray);
     const Vec3<typename L::Value> direction = gather<L>(step.rays.direction, ray);
     const auto material = materials_of<L>(in, first, valid);
     ClassicOf<L> model;
     set_numbers<L>(
-        step.models,
+        step.scene.materials.classic,
         [&](const float* row) CAROM_KERNEL_ATTRIBUTE { return L::gather(row, material); }, model);
     return {first,
             valid,
@@ -93,7 +93,7 @@ CAROM_KERNEL void shade_rays(const DistributedStep& step, int first) {
     store<L>(v.time, step.shadows.time, first);
     typename L::Value numbers[4];
     int k = 0;
-    for (int index = 0; index < step.scene.lights.count; ++index) {
+    for (int index = 0; index < step.scene.lights.count(); ++index) {
         const WaveLight& light = step.scene.lights[index];
         if (index % 2 == 0) {
             const auto pair = static_cast<std::uint32_t>(index / 2);
@@ -155,8 +155,9 @@ CAROM_KERNEL int find_lobe(const DistributedVertexOf<L>& v, const ClassicLobeOf<
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const auto exists = L::both(L::both(v.valid, L::is_less(zero, largest<L>(lobe.colour))),
-                                samples > 0 ? v.valid : L::before(0));
-    const auto spreads = samples > 1 ? L::both(exists, L::is_less(zero, spread)) : L::before(0);
+                                samples > 0 ? v.valid : L::first_lanes(0));
+    const auto spreads =
+        samples > 1 ? L::both(exists, L::is_less(zero, spread)) : L::first_lanes(0);
     const bool any_spreads = !L::none(spreads);
     auto sum = one;
     if (any_spreads) {
@@ -209,7 +210,7 @@ template <class L, class Next>
 CAROM_KERNEL void send_rays(const DistributedStep& step, const LobeWave& lobe, int k, int first,
                             const Next& next) {
     const auto zero = L::all(0);
-    const auto wanted = L::both(L::before(step.vertices.count - first),
+    const auto wanted = L::both(L::first_lanes(step.vertices.count - first),
                                 L::is_less_int(L::all_int(k), load<L>(lobe.count, first)));
     if (L::none(wanted)) {
         return;

@@ -80,7 +80,7 @@ CAROM_KERNEL LightSampleOf<L> sample_light(const WaveScene& scene, const WaveLig
     }
     const auto zero = L::all(0);
     const auto one = L::all(1);
-    return {{zero, zero, zero}, one, one, {zero, zero, zero}, L::before(0)};
+    return {{zero, zero, zero}, one, one, {zero, zero, zero}, L::first_lanes(0)};
 }
 
 /// The choice of one light in every lane, in proportion to importance: reservoir sampling in one
@@ -101,7 +101,7 @@ CAROM_KERNEL LightChoiceOf<L> choose_light(const WaveScene& scene, const PlaceOf
     const auto zero = L::all(0);
     LightChoiceOf<L> choice{L::all_int(-1), zero, zero, u};
     auto chosen = zero;
-    for (int light = 0; light < scene.lights.count; ++light) {
+    for (int light = 0; light < scene.lights.count(); ++light) {
         const auto weight = importance_of<L>(scene, scene.lights[light], place, normal);
         const auto counts = L::is_less(zero, weight);
         choice.total = L::select(counts, choice.total + weight, choice.total);

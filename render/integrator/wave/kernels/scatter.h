@@ -57,8 +57,8 @@ CAROM_KERNEL void set_spheres(const WaveStep& step, const VertexOf<L>& v, const 
         L::both(is_inside, L::is_equal_int(gather<L>(step.paths.entered_sphere, v.path), object));
     path.connected_sphere =
         L::select_int(leaves, object | L::all_int(PathQueue::kPassedSphere), path.connected_sphere);
-    const auto enters =
-        step.paths.vertex > 0 ? L::both(L::without(refracts, is_inside), connected) : L::before(0);
+    const auto enters = step.paths.vertex > 0 ? L::both(L::without(refracts, is_inside), connected)
+                                              : L::first_lanes(0);
     path.entered_sphere = L::select_int(enters, object, none);
 }
 

@@ -8,9 +8,9 @@ template <class L>
 CAROM_KERNEL typename L::Mask asks_for_caustics(const WaveStep& step, const VertexOf<L>& v,
                                                 const SamplerOf<L>& sampler) {
     const auto object = load<L>(step.vertices.object, v.first);
-    const auto own = L::gather_int(step.scene.sphere_of_object, object);
+    const auto own = L::gather_int(step.scene.sphere_of_object.data(), object);
     auto total = L::all(0);
-    for (int index = 0; index < step.scene.spheres.count; ++index) {
+    for (int index = 0; index < step.scene.spheres.count(); ++index) {
         const SphereBounds& sphere = step.scene.spheres[index];
         const auto share =
             solid_angle_fraction<L>(all_of<L>(sphere.centre) - v.position, v.bsdf.geometric_normal,
@@ -31,7 +31,7 @@ CAROM_KERNEL void shade_surfaces(const WaveStep& step, int first, const Next& ne
     const int vertex = step.paths.vertex;
     const bool has_lights = step.shadows.rays > 0;
     const bool connects = step.scene.caustics && vertex < kConnectingVertices &&
-                          vertex < step.scene.max_bounces && step.scene.spheres.count > 0;
+                          vertex < step.scene.max_bounces && step.scene.spheres.exists();
     VertexOf<L> v = vertex_at<L>(step, first);
     const auto sampler = sampler_of<L>(step.samples, gather<L>(step.paths.slot, v.path));
     typename L::Value u[4];

@@ -146,7 +146,7 @@ CAROM_KERNEL void sample_all_lights(const WaveStep& step, VertexOf<L>& v,
     typename L::Value pair[4];
     std::uint32_t asked = 0;
     int k = 0;
-    for (int index = 0; index < step.scene.lights.count; ++index) {
+    for (int index = 0; index < step.scene.lights.count(); ++index) {
         const WaveLight& light = step.scene.lights[index];
         if (light.samples > 1) {
             typename L::Value x[4], y[4];
@@ -181,8 +181,8 @@ CAROM_KERNEL void sample_one_light(const WaveStep& step, VertexOf<L>& v,
     const LightChoiceOf<L> choice =
         choose_light<L>(step.scene, place_of<L>(v), v.bsdf.frame.z, u.x);
     v.total_importance = L::select(v.scatters, choice.total, zero);
-    LightSampleOf<L> found{v.bsdf.frame.z, zero, L::all(1), {zero, zero, zero}, L::before(0)};
-    for (int light = 0; light < step.scene.lights.count; ++light) {
+    LightSampleOf<L> found{v.bsdf.frame.z, zero, L::all(1), {zero, zero, zero}, L::first_lanes(0)};
+    for (int light = 0; light < step.scene.lights.count(); ++light) {
         const auto takes = L::both(v.scatters, L::is_equal_int(choice.light, L::all_int(light)));
         if (L::none(takes)) {
             continue;

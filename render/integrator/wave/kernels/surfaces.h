@@ -154,8 +154,9 @@ CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
                        gather<L>(task.paths.cone_spread, hit.path) * hit.distance;
     const TexturePointOf<L> textured{point.object_position, point.geometric_normal, point.uv,
                                      point.uv_per_metre, point.uv_metres};
-    const ResolvedOf<L> surface = resolve_surface<L>(
-        *group.texture, group.bump, textured, point.shading_normal, wo, width / L::root(cosine));
+    const ResolvedOf<L> surface =
+        resolve_surface<L>(task.scene.textures[group.material], group.bump, textured,
+                           point.shading_normal, wo, width / L::root(cosine));
     const auto radius = group.kind == WaveGroup::Kind::mesh
                             ? L::all(group.bounding_radius)
                             : gather<L>(task.scene.shapes, kBoundingRadius, hit.object);

@@ -35,19 +35,19 @@ CAROM_KERNEL void set_layers(const WaveMaterials& materials, typename L::Int mat
                              const NumberIn& number_in, LayersOf<L>& layers) {
     set_numbers<L>(materials.layers, number_in, layers);
     const auto is_glass = L::is_less(L::all(0), layers.transmission);
-    layers.any_glass = materials.glass.at != nullptr && !L::none(is_glass);
+    layers.any_glass = materials.glass.numbers.exists() && !L::none(is_glass);
     if (layers.any_glass) {
         set_numbers<L>(materials.glass, number_in, layers.glass);
     }
-    layers.is_phong = L::before(0);
-    if (materials.phong.at != nullptr) {
-        layers.is_phong = L::is_less(L::all(0), number_in(materials.is_phong));
+    layers.is_phong = L::first_lanes(0);
+    if (materials.phong.numbers.exists()) {
+        layers.is_phong = L::is_less(L::all(0), number_in(materials.is_phong.data()));
     }
     layers.any_phong = !L::none(layers.is_phong);
     if (layers.any_phong) {
         set_numbers<L>(materials.phong, number_in, layers.phong);
     }
-    layers.tables = materials.albedos;
+    layers.tables = AlbedoNumbers::in_rows(materials.albedos.row(0), materials.albedos.count);
     layers.first = L::product(material, kAlbedoNodes);
 }
 
@@ -103,14 +103,14 @@ CAROM_KERNEL VertexOf<L> vertex_at(const WaveStep& step, int first) {
     const SurfaceQueue& in = step.vertices;
     VertexOf<L> v;
     v.first = first;
-    v.valid = L::before(in.count - first);
+    v.valid = L::first_lanes(in.count - first);
     v.path = load<L>(in.path, first);
     v.position = load<L>(in.position, first);
     const Vec3<typename L::Value> geometric_normal = load<L>(in.geometric_normal, first);
     v.origin = v.position + geometric_normal * load<L>(in.offset, first);
     v.time = gather<L>(step.paths.time, v.path);
     v.throughput = gather<L>(step.paths.throughput, v.path);
-    auto from_behind = L::before(0);
+    auto from_behind = L::first_lanes(0);
     if (step.scene.materials.transmits) {
         from_behind = L::both(is_set<L>(load<L>(in.from_behind, first)), v.valid);
     }
