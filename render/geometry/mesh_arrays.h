@@ -15,10 +15,7 @@ struct MeshArrays {
 
     template <class Visit>
     void each_list(const Visit& visit) {
-        visit(vertices);
-        visit(normals);
-        visit(uv);
-        visit(triangles);
+        visit(vertices, normals, uv, triangles);
     }
 };
 

@@ -43,8 +43,7 @@ struct MotionPieces {
 
     template <class Visit>
     void each_list(const Visit& visit) {
-        visit(path);
-        visit(turns);
+        visit(path, turns);
     }
 };
 

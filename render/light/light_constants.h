@@ -93,8 +93,7 @@ struct EmissiveSurfaceConstants {
 
     template <class Visit>
     void each_list(const Visit& visit) {
-        visit(corners);
-        visit(area_cdf);
+        visit(corners, area_cdf);
     }
 };
 

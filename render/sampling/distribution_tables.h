@@ -21,11 +21,7 @@ struct DistributionTables {
     /// Calls `visit` with every list.
     template <class Visit>
     void each_list(const Visit& visit) {
-        visit(density);
-        visit(row_cdf);
-        visit(column_cdfs);
-        visit(row_cuts);
-        visit(column_cuts);
+        visit(density, row_cdf, column_cdfs, row_cuts, column_cuts);
     }
 };
 

@@ -20,10 +20,7 @@ struct PyramidTables {
 
     template <class Visit>
     void each_list(const Visit& visit) {
-        visit(texels);
-        visit(first);
-        visit(width);
-        visit(height);
+        visit(texels, first, width, height);
     }
 };
 
@@ -41,9 +38,8 @@ struct ImageTables {
 
     template <class Visit>
     void each_list(const Visit& visit) {
+        visit(codes, values);
         levels.each_list(visit);
-        visit(codes);
-        visit(values);
     }
 };
 

@@ -36,7 +36,7 @@ class SceneArena {
     [[nodiscard]] List<T> add(const std::vector<T>& list) {
         T* const copy = static_cast<T*>(room(list.size() * sizeof(T)));
         std::uninitialized_copy(list.begin(), list.end(), copy);
-        if constexpr (requires(T entry) { entry.each_list([](auto&) {}); }) {
+        if constexpr (requires(T entry) { entry.each_list([](auto&...) {}); }) {
             std::for_each(copy, copy + list.size(), [&](T& entry) { take(entry); });
         }
         return {copy, static_cast<std::int64_t>(list.size())};
@@ -44,7 +44,7 @@ class SceneArena {
     /// Copies what lists lead to, if it has to be.
     template <class Lists>
     void take(Lists& lists) {
-        lists.each_list([&](auto& list) { take_list(list); });
+        lists.each_list([&](auto&... list) { (take_list(list), ...); });
     }
 
     [[nodiscard]] std::size_t size_of_all() const { return size_of_all_; }
