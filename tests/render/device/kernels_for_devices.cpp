@@ -20,6 +20,7 @@
 #include "core/elementary_float.h"
 #include "render/acceleration/culling_data.h"
 #include "render/camera/camera_constants.h"
+#include "render/denoise/kernel_rows.h"
 #include "render/geometry/affine.h"
 #include "render/geometry/constants.h"
 #include "render/geometry/margins.h"
@@ -51,6 +52,7 @@ namespace carom::render::device {
 #include "render/camera/kernels/thin_lens.h"
 #include "render/integrator/kernels/all.h"
 #include "render/acceleration/kernels/culling.h"
+#include "render/denoise/kernels/all.h"
 // clang-format on
 
 namespace triangles {
@@ -79,6 +81,19 @@ struct Scene {
     LeafSlab slab;
     const float* materials;
     AlbedoNumbers albedos;
+};
+
+/// What a device reads and writes of a picture that is denoised.
+struct Picture {
+    SquareRow square;
+    BoxRow box;
+    VarianceRow variance;
+    NoiseRow noise;
+    DistanceRow distances;
+    WeightRow weights;
+    RegressionChunk regression;
+    ErrorRow errors;
+    LimitRow limit;
 };
 
 /// Adds numbers up, so that none is left out by the compiler.
@@ -217,6 +232,24 @@ CAROM_KERNEL void follow(const Scene& scene, const RayOf<L>& ray, const Vec2<flo
     sum.add(power_heuristic<L>(u.x, u.y) * survival_of<L>(ray.origin));
     sum.add(solid_angle_fraction<L>(ray.origin, ray.direction, u.x, u.y, 2));
     sum.add(splitting_at<L>(0, 2, 3, u.x > u.y, u.x < u.y).any_gloss ? u.x : u.y);
+}
+
+CAROM_ENTRY denoise(CAROM_GLOBAL const Picture* pictures, int x, CAROM_GLOBAL float* results) {
+    const Picture& picture = *pictures;
+    square<L>(picture.square, x);
+    sum_columns<L>(picture.box, x);
+    mean_of_sums<L>(picture.box, x);
+    join_variance<L>(picture.variance, x);
+    judge_noise<L>(picture.noise, x);
+    measure_distances<L>(picture.distances, x);
+    weigh<L>(picture.weights, x);
+    regress<L, 0>(picture.regression, x);
+    regress<L, 3>(picture.regression, x);
+    regress<L, 6>(picture.regression, x);
+    regress<L, 9>(picture.regression, x);
+    estimate_errors<L>(picture.errors, x);
+    limit<L>(picture.limit, x);
+    *results = repeats_first<L>(picture.square.values, x) ? 1 : 0;
 }
 
 CAROM_ENTRY kernels(CAROM_GLOBAL const Scene* scenes, CAROM_GLOBAL const unsigned* numbers,
