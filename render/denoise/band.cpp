@@ -14,7 +14,7 @@
 namespace carom::render {
 namespace {
 
-// Radii of squares in pixels, chosen with those of denoise_kernels.h.
+// Radii of squares in pixels, chosen with those of kernel_rows.h.
 constexpr int kLevel = 8;      // whose squared differences set the level of the variance
 constexpr int kNearLevel = 2;  // whose squared differences bound it from below
 constexpr int kMostLevel = 1;  // whose squared differences bound it from above
@@ -170,7 +170,7 @@ void Band::copy_colours(int y) {
              {&planes_.mean[c], &planes_.difference[c], &planes_.half[0][c], &planes_.half[1][c]}) {
             plane->extend(y);
         }
-        kernels_.square(difference, planes_.squares[c].row(y), planes_.chunks);
+        kernels_.square({difference, planes_.squares[c].row(y), planes_.chunks});
         planes_.squares[c].extend(y);
     }
     if (has_shape()) {
@@ -237,7 +237,7 @@ void Band::box_mean(const Plane& plane, int y, int radius, float* mean) const {
     }
     std::vector<float> buffer(static_cast<std::size_t>(planes_.chunks) * kChunk +
                               std::size_t{2} * Plane::kMargin);
-    kernels_.box_mean({rows.data(), radius, mean, buffer.data(), planes_.chunks});
+    kernels_.box_mean({rows.data(), radius, mean, buffer.data() + Plane::kMargin, planes_.chunks});
 }
 
 void Band::estimate_variance(int y) {
@@ -294,7 +294,7 @@ void Band::estimate_errors(int y) {
         const float excess = row.filtered[x] - row.noisy[x];
         squared[x] = excess * excess;
     }
-    kernels_.square(row.shift, planes_.squared_shift.row(y), planes_.chunks);
+    kernels_.square({row.shift, planes_.squared_shift.row(y), planes_.chunks});
     for (Plane* plane : {&planes_.noisy_error, &planes_.filtered_error, &planes_.squared_excess,
                          &planes_.shift, &planes_.squared_shift}) {
         plane->extend(y);

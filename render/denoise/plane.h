@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "render/denoise/kernel_rows.h"
+
 namespace carom::render {
 
 /// The rows of a picture that are in work.
@@ -18,9 +20,6 @@ struct RowRange {
     }
     [[nodiscard]] int count() const { return end - first; }
 };
-
-/// Pixels of a vector's width are worked on together.
-inline constexpr int kChunk = 16;
 
 [[nodiscard]] constexpr int rounded_up(int count) {
     return (count + kChunk - 1) / kChunk * kChunk;

@@ -20,6 +20,7 @@
 #include "core/elementary_float.h"
 #include "render/acceleration/culling_data.h"
 #include "render/camera/camera_constants.h"
+#include "render/denoise/kernel_rows.h"
 #include "render/geometry/affine.h"
 #include "render/geometry/constants.h"
 #include "render/geometry/margins.h"
@@ -53,6 +54,7 @@ namespace carom::render::device {
 #include "render/integrator/kernels/all.h"
 #include "render/integrator/wave/kernels/all.h"
 #include "render/acceleration/kernels/culling.h"
+#include "render/denoise/kernels/all.h"
 // clang-format on
 
 namespace triangles {
@@ -81,6 +83,19 @@ struct Scene {
     LeafSlab slab;
     const float* materials;
     AlbedoNumbers albedos;
+};
+
+/// What a device reads and writes of a picture that is denoised.
+struct Picture {
+    SquareRow square;
+    BoxRow box;
+    VarianceRow variance;
+    NoiseRow noise;
+    DistanceRow distances;
+    WeightRow weights;
+    RegressionChunk regression;
+    ErrorRow errors;
+    LimitRow limit;
 };
 
 /// Adds numbers up, so that none is left out by the compiler.
@@ -290,16 +305,9 @@ CAROM_KERNEL void step_of_path(const Wave& wave, int i) {
 }
 
 CAROM_KERNEL void step_of_ray(const Wave& wave, int i) {
-    const DistributedStep step{wave.scene,
-
-                               1,
-                               {},
-                               wave.samples,
-                               wave.paths,
-                               wave.vertices,
-                               wave.shadows,
-                               wave.own,
-                               wave.reflection,
+    const DistributedStep step{wave.scene,     1,          {},
+                               wave.samples,   wave.paths, wave.vertices,
+                               wave.shadows,   wave.own,   wave.reflection,
                                wave.refraction};
     shade_rays<L>(step, i);
     wave.survives[i] = find_lobes<L>(step, i).reflection;
@@ -309,6 +317,24 @@ CAROM_KERNEL void step_of_ray(const Wave& wave, int i) {
 CAROM_ENTRY wave_step(CAROM_GLOBAL const Wave* waves, int i) {
     step_of_path(*waves, i);
     step_of_ray(*waves, i);
+}
+
+CAROM_ENTRY denoise(CAROM_GLOBAL const Picture* pictures, int x, CAROM_GLOBAL float* results) {
+    const Picture& picture = *pictures;
+    square<L>(picture.square, x);
+    sum_columns<L>(picture.box, x);
+    mean_of_sums<L>(picture.box, x);
+    join_variance<L>(picture.variance, x);
+    judge_noise<L>(picture.noise, x);
+    measure_distances<L>(picture.distances, x);
+    weigh<L>(picture.weights, x);
+    regress<L, 0>(picture.regression, x);
+    regress<L, 3>(picture.regression, x);
+    regress<L, 6>(picture.regression, x);
+    regress<L, 9>(picture.regression, x);
+    estimate_errors<L>(picture.errors, x);
+    limit<L>(picture.limit, x);
+    *results = repeats_first<L>(picture.square.values, x) ? 1 : 0;
 }
 
 CAROM_ENTRY kernels(CAROM_GLOBAL const Scene* scenes, CAROM_GLOBAL const unsigned* numbers,

@@ -107,6 +107,15 @@ inline constexpr double inv_sqrtpi = 0.564189583547756286948079451560772586;
 
 }  // namespace numbers
 
+template <class T, T kNumber>
+struct integral_constant {
+    constexpr operator T() const { return kNumber; }
+};
+template <class T, T... kNumbers>
+struct integer_sequence {};
+template <class T, T kSize>
+using make_integer_sequence = __make_integer_seq<integer_sequence, T, kSize>;
+
 template <class T, size_t kSize>
 struct array {
     T numbers[kSize];
