@@ -12,6 +12,7 @@
 #include "render/acceleration/instruction_set.h"
 #include "render/frame_scene/flat_faces.h"
 #include "render/frame_scene/scene_object.h"
+#include "render/light/area_light.h"
 #include "render/threads/thread_arena.h"
 
 namespace carom::render {
@@ -84,7 +85,7 @@ SceneNames names_of(const SceneDescription& scene) {
     }
     for (const LightDescription& light : scene.lights) {
         // Other lights have no shape that rays could hit.
-        if (shape_of(light)) {
+        if (area_light_of(light)) {
             names.objects.push_back(light.name);
             names.material_of.push_back(static_cast<std::uint32_t>(names.materials.size()));
         }

@@ -4,7 +4,6 @@
 
 #include "core/colour.h"
 #include "core/vectors.h"
-#include "render/light/area_light.h"
 
 namespace carom::render {
 namespace {

@@ -243,20 +243,21 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
 
 std::optional<SceneObject> make_light_object(const LightDescription& description,
                                              std::uint32_t light) {
-    const std::optional<LightShape> shape = shape_of(description);
-    if (!shape) {
+    const std::optional<AreaLight> surface = area_light_of(description);
+    if (!surface) {
         return std::nullopt;
     }
+    const UnitOfObject unit{surface->constants.kind, {}, surface->constants.parameters};
     SceneObject object;
     object.name = description.name;
     object.light = light;
-    object.kind = shape->kind;
-    object.is_round = shape->kind == ShapeKind::sphere;
-    object.is_one_sided = shape->is_one_sided;
-    object.half_size = shape->half_size;
-    object.bounding_radius =
-        static_cast<float>(bounding_radius_of({shape->kind}, shape->world_from_unit));
-    object.frame = frame_of(shape->world_from_unit);
+    object.kind = unit.kind;
+    object.parameters = unit.parameters;
+    object.is_round = object.kind == ShapeKind::sphere;
+    object.is_one_sided = surface->constants.is_one_sided;
+    object.half_size = V3f(axis_scales(surface->world_from_unit));
+    object.bounding_radius = static_cast<float>(bounding_radius_of(unit, surface->world_from_unit));
+    object.frame = frame_of(surface->world_from_unit);
     return object;
 }
 

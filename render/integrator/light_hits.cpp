@@ -1,6 +1,7 @@
 #include "render/integrator/light_hits.h"
 
 #include "render/integrator/scalar_kernels.h"
+#include "render/light/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -45,10 +46,10 @@ V3f LightHits::of_light(const Path& path, const Hit& hit) const {
     if (largest(radiance) <= 0) {
         return radiance;
     }
-    const float gain = path.last.is_delta ? 1.0f
-                                          : scene_.lights.gain(light, path.last.position,
-                                                               path.ray.direction, hit.t);
     const float pdf = scene_.lights.pdf(light, path.last.position, path.ray.direction, hit.t);
+    const AreaLightConstants& lamp = scene_.lights.area_light(light);
+    const float gain =
+        path.last.is_delta ? 1.0f : scalar::gain_of_area_light<scalar::One>(lamp, pdf);
     return radiance * (gain * weight(path, light, pdf));
 }
 

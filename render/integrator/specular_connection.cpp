@@ -5,10 +5,14 @@
 
 #include "render/geometry/specular_point.h"
 #include "render/integrator/shadow_ray_constants.h"
+#include "render/light/scalar_kernels.h"
 #include "render/material/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
+using LightPoint = scalar::LightPointOf<One>;
 
 /// From the sphere to the point of the light.
 struct LastLeg {
@@ -24,17 +28,13 @@ constexpr float kSmallLamp = 0.02f;
 // Adds the radiance of an area light along the second leg; `connection.radiance` already holds the
 // reflectance of the sphere.
 bool from_area(const TransportScene& scene, std::size_t light, const LastLeg& leg,
-               const EmitterPoint& target, SpecularConnection& connection) {
+               const LightPoint& target, SpecularConnection& connection) {
     const V3f emitted = scene.lights.emitted(light, -connection.light_direction);
-    const auto light_distance = std::visit(
-        [&](const auto& e) {
-            return e.distance_along(connection.origin, connection.light_direction, leg.length);
-        },
-        scene.lights.area_light(light));
-    if (!(luminance(emitted) > 0) || !light_distance) {
+    connection.light_distance = scalar::distance_to_area_light<One>(
+        scene.lights.area_light(light), connection.origin, connection.light_direction, leg.length);
+    if (!(luminance(emitted) > 0) || connection.light_distance < 0) {
         return false;
     }
-    connection.light_distance = *light_distance;
     connection.solid_angle =
         leg.spread * std::abs(target.normal.dot(connection.light_direction)) / target.pdf;
     connection.radiance *= emitted;
@@ -60,19 +60,17 @@ bool from_point(const TransportScene& scene, std::size_t light, const LastLeg& l
 // The fraction of the way through a sphere that a test for things within leaves out at either end.
 constexpr float kInsideMargin = 2e-3f;
 
-EmitterPoint point_of(const TransportScene& scene, const SpecularSphere& sphere, std::size_t light,
-                      const V3f& centre, const V2f& u) {
-    EmitterPoint target;
+LightPoint point_of(const TransportScene& scene, const SpecularSphere& sphere, std::size_t light,
+                    const V3f& centre, const V2f& u) {
     if (scene.lights.is_delta(light)) {
-        target.position = scene.lights.delta_light(light).source(centre, sphere.radius);
-        return target;
+        return {scene.lights.delta_light(light).source(centre, sphere.radius), V3f(0, 0, 1), 0};
     }
-    const auto sample = [&](const auto& e) { return e.sample_area(centre, sphere.radius, u); };
-    return std::visit(sample, scene.lights.area_light(light));
+    return scalar::sample_point_of_area_light<One>(scene.lights.area_light(light), centre,
+                                                   sphere.radius, u);
 }
 
 bool arrives(const TransportScene& scene, std::size_t light, const LastLeg& leg,
-             const EmitterPoint& target, SpecularConnection& connection) {
+             const LightPoint& target, SpecularConnection& connection) {
     return scene.lights.is_delta(light) ? from_point(scene, light, leg, connection)
                                         : from_area(scene, light, leg, target, connection);
 }
@@ -112,22 +110,19 @@ float connection_importance(const TransportScene& scene, const SpecularSphere& s
     if (light >= lights.area_light_count()) {
         return 0;
     }
-    const auto irradiance = [&](const auto& emitter) {
-        const float distance = (emitter.centre() - middle).length() - travel;
-        const bool is_small =
-            !sphere.refracts || emitter.radius() < kSmallLamp * (distance - sphere.radius);
-        return distance > 0 && is_small && emitter.can_sample_area(distance, sphere.radius)
-                   ? emitter.intensity() / (distance * distance)
-                   : 0.0f;
-    };
-    return std::visit(irradiance, lights.area_light(light));
+    const AreaLightConstants& lamp = lights.area_light(light);
+    const float distance = (lamp.centre - middle).length() - travel;
+    const bool is_small = !sphere.refracts || lamp.radius < kSmallLamp * (distance - sphere.radius);
+    return is_small && scalar::can_sample_point_of_area_light<One>(lamp, distance, sphere.radius)
+               ? lamp.intensity / (distance * distance)
+               : 0.0f;
 }
 
 std::optional<SpecularConnection> connect(const TransportScene& scene, const SpecularSphere& sphere,
                                           std::size_t light, const V3f& receiver, float time,
                                           const V2f& u) {
     const V3f centre = scene.frame.centre(sphere.object, time);
-    const EmitterPoint target = point_of(scene, sphere, light, centre, u);
+    const LightPoint target = point_of(scene, sphere, light, centre, u);
     const auto mirror = specular_point(receiver, target.position, centre, sphere.radius);
     if (!mirror) {
         return std::nullopt;
@@ -150,7 +145,7 @@ RefractedConnections connect_through(const TransportScene& scene, const Specular
                                      std::size_t light, const V3f& receiver, float time,
                                      const V2f& u) {
     const V3f centre = scene.frame.centre(sphere.object, time);
-    const EmitterPoint target = point_of(scene, sphere, light, centre, u);
+    const LightPoint target = point_of(scene, sphere, light, centre, u);
     const GlassConstants& glass = *sphere.material->glass();
     const RefractedPaths paths =
         refracted_paths(receiver, target.position, centre, sphere.radius, glass.ior);
@@ -171,7 +166,7 @@ RefractedConnections connect_through(const TransportScene& scene, const Specular
             std::max({std::abs(path.exit.x), std::abs(path.exit.y), std::abs(path.exit.z)});
         const V3f normal = (path.exit - centre) / sphere.radius;
         outside.origin = path.exit + normal * (kOffsetFraction * (size + sphere.radius));
-        const float passes = 1 - scalar::fresnel_dielectric<scalar::One>(path.cosine, glass.ior);
+        const float passes = 1 - scalar::fresnel_dielectric<One>(path.cosine, glass.ior);
         outside.radiance =
             glass.tint * glass.tint * glass.transmittance(path.inside) * (passes * passes);
         if (arrives(scene, light, {path.to, path.spread}, target, outside)) {

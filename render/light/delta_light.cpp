@@ -1,7 +1,6 @@
 #include "render/light/delta_light.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <variant>
 
 #include "core/elementary.h"
@@ -10,27 +9,36 @@
 
 namespace carom::render {
 
-DeltaLight::DeltaLight(const PointLight& light) {
-    light_.has_falloff = light.falloff == Falloff::inverse_square;
-    light_.position = V3f(light.position);
-    light_.power = V3f(light.intensity);
+namespace {
+
+// A light is a delta light if there is such a function for its kind.
+DeltaLightConstants constants_of(const PointLight& light) {
+    DeltaLightConstants made;
+    made.has_falloff = light.falloff == Falloff::inverse_square;
+    made.position = V3f(light.position);
+    made.power = V3f(light.intensity);
+    return made;
 }
 
-DeltaLight::DeltaLight(const SpotLight& light) {
-    light_.has_falloff = light.falloff == Falloff::inverse_square;
-    light_.position = V3f(light.position);
-    light_.direction = V3f(light.direction.normalized());
-    light_.power = V3f(light.intensity);
-    light_.inner_cosine = static_cast<float>(cosine(light.inner_angle));
-    light_.outer_cosine = static_cast<float>(cosine(light.outer_angle));
+DeltaLightConstants constants_of(const SpotLight& light) {
+    DeltaLightConstants made =
+        constants_of(PointLight{light.position, light.intensity, light.falloff});
+    made.direction = V3f(light.direction.normalized());
+    made.inner_cosine = static_cast<float>(cosine(light.inner_angle));
+    made.outer_cosine = static_cast<float>(cosine(light.outer_angle));
+    return made;
 }
 
-DeltaLight::DeltaLight(const DirectionalLight& light) {
-    light_.is_parallel = true;
-    light_.has_falloff = false;
-    light_.direction = V3f(light.direction.normalized());
-    light_.power = V3f(light.irradiance);
+DeltaLightConstants constants_of(const DirectionalLight& light) {
+    DeltaLightConstants made;
+    made.is_parallel = true;
+    made.has_falloff = false;
+    made.direction = V3f(light.direction.normalized());
+    made.power = V3f(light.irradiance);
+    return made;
 }
+
+}  // namespace
 
 float DeltaLight::cone_fraction(float cosine) const {
     return scalar::cone_fraction<scalar::One>(light_, cosine);
@@ -68,8 +76,8 @@ float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
 std::optional<DeltaLight> delta_light_of(const LightDescription& description) {
     return std::visit(
         [](const auto& light) -> std::optional<DeltaLight> {
-            if constexpr (std::is_constructible_v<DeltaLight, decltype(light)>) {
-                return DeltaLight(light);
+            if constexpr (requires { constants_of(light); }) {
+                return DeltaLight(constants_of(light));
             }
             return std::nullopt;
         },

@@ -15,9 +15,7 @@ namespace carom::render {
 /// arrives, and multiple importance sampling gives every other strategy a weight of zero.
 class DeltaLight {
   public:
-    explicit DeltaLight(const PointLight& light);
-    explicit DeltaLight(const SpotLight& light);
-    explicit DeltaLight(const DirectionalLight& light);
+    explicit DeltaLight(const DeltaLightConstants& light) : light_(light) {}
 
     /// For kernels.
     [[nodiscard]] const DeltaLightConstants& constants() const { return light_; }

@@ -4,39 +4,30 @@
 #include <cstdint>
 
 #include "render/geometry/affine.h"
+#include "render/geometry/shape_kind.h"
 #include "render/light/environment_picture.h"
 
 namespace carom::render {
-
-/// A RectangleEmitter as plain data, for kernels.
-struct RectangleConstants {
-    V3f centre{0, 0, 0};
-    V3f edge_u{1, 0, 0}, edge_v{0, 1, 0};  // half sides
-    V3f normal{0, 0, 1};
-    V3f radiance{0, 0, 0};
-    bool has_falloff = true;
-    float area = 4;
-    float half_diagonal = 0;
-};
-
-/// A SphereEmitter as plain data, for kernels.
-struct SphereConstants {
-    V3f centre{0, 0, 0};
-    V3f radiance{0, 0, 0};
-    bool has_falloff = true;
-    float radius = 1;
-};
 
 /// Lower bound on the cosine at the surface in importance estimates of a light that crosses the
 /// surface's horizon, so that such a light is still chosen sometimes.
 inline constexpr float kLeastHorizonCosine = 0.1f;
 
-/// An AreaLight as plain data, for kernels.
+/// A light with a surface, for kernels. Its shape is a unit shape (shape_list.h) under an affine
+/// map.
 struct AreaLightConstants {
-    enum class Kind { rectangle, sphere };
-    Kind kind = Kind::rectangle;
-    RectangleConstants rectangle;
-    SphereConstants sphere;
+    ShapeKind kind = ShapeKind::sphere;
+    bool is_one_sided = false;
+    bool is_round = false;  // sampled over the cone that a sphere subtends
+    bool has_falloff = true;
+    V3f centre{0, 0, 0};
+    V3f edge_u{1, 0, 0}, edge_v{0, 1, 0};  // half sides
+    V3f normal{0, 0, 1};
+    V3f parameters{0, 0, 0};  // of the unit shape
+    V3f radiance{0, 0, 0};    // W/(m^2 sr), on the side that shines
+    float area = 0;           // m^2
+    float radius = 1;         // of a sphere around the centre that contains the light, m
+    float intensity = 0;      // luminous power per steradian straight ahead
 };
 
 /// A DeltaLight as plain data, for kernels.
@@ -68,7 +59,7 @@ struct EmissiveShapeConstants {
     static constexpr int kMostParts = 7;
 
     Kind kind = Kind::sphere;
-    SphereConstants sphere;  // of a round sphere
+    AreaLightConstants sphere;  // of a round sphere
     Affine unit_from_body, body_from_unit;
     float volume_scale = 1;   // |determinant| of body_from_unit
     V3f parameters{0, 0, 0};  // of the unit shape (shape_list.h); of a capsule its core (0, 0, h)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "render/light/area_light.h"
 #include "render/light/scalar_kernels.h"
 #include "render/scene/scene_problems.h"
 
@@ -19,7 +20,7 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
         if (const auto* environment = std::get_if<EnvironmentLight>(&description.light)) {
             environment_ = std::make_shared<const Environment>(*environment);
         } else if (const std::optional<AreaLight> area_light = area_light_of(description)) {
-            area_lights_.push_back(*area_light);
+            area_lights_.push_back(area_light->constants);
         } else if (const std::optional<DeltaLight> delta_light = delta_light_of(description)) {
             delta_lights_.push_back(*delta_light);
         }
@@ -53,8 +54,7 @@ bool LightSet::is_round(std::size_t light) const {
     if (light >= first_emissive()) {
         return emissive_[light - first_emissive()].is_round();
     }
-    return light < area_lights_.size() &&
-           std::visit([](const auto& emitter) { return emitter.kIsRound; }, area_lights_[light]);
+    return light < area_lights_.size() && area_lights_[light].is_round;
 }
 
 float LightSet::importance(std::size_t light, const V3f& point, const V3f& normal,
@@ -69,21 +69,7 @@ float LightSet::importance(std::size_t light, const V3f& point, const V3f& norma
     if (is_environment(light)) {
         return environment_->importance();
     }
-    return std::visit(
-        [&](const auto& emitter) {
-            return scalar::importance_of_area_light<One>(emitter.constants(), point, normal);
-        },
-        area_lights_[light]);
-}
-
-float LightSet::gain(std::size_t light, const V3f& point, const V3f& direction,
-                     float distance) const {
-    return std::visit(
-        [&](const auto& emitter) {
-            return emitter.has_falloff() ? 1.0f
-                                         : emitter.gain(emitter.pdf(point, direction, distance));
-        },
-        area_lights_[light]);
+    return scalar::importance_of_area_light<One>(area_lights_[light], point, normal);
 }
 
 float LightSet::pdf_of_object(std::size_t light, const V3f& point, const V3f& direction,
@@ -93,13 +79,11 @@ float LightSet::pdf_of_object(std::size_t light, const V3f& point, const V3f& di
 
 float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction,
                     float distance) const {
-    return std::visit([&](const auto& emitter) { return emitter.pdf(point, direction, distance); },
-                      area_lights_[light]);
+    return scalar::pdf_of_area_light<One>(area_lights_[light], point, direction, distance);
 }
 
 V3f LightSet::emitted(std::size_t light, const V3f& direction) const {
-    return std::visit([&](const auto& emitter) { return emitter.emitted(direction); },
-                      area_lights_[light]);
+    return scalar::emitted_by_area_light<One>(area_lights_[light], direction);
 }
 
 }  // namespace carom::render

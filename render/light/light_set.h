@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "render/geometry/ray.h"
-#include "render/light/area_light.h"
 #include "render/light/delta_light.h"
 #include "render/light/emissive_object.h"
 #include "render/light/environment.h"
@@ -77,12 +76,7 @@ class LightSet {
     /// Radiance of an area light towards the unit `direction`, away from the light, as cameras and
     /// specular reflections see it.
     [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
-    /// RectangleEmitter::gain of an area light, for a surface at `point` that scatters light from
-    /// `direction`, where the light is `distance` away.
-    [[nodiscard]] float gain(std::size_t light, const V3f& point, const V3f& direction,
-                             float distance) const;
-
-    [[nodiscard]] const AreaLight& area_light(std::size_t light) const {
+    [[nodiscard]] const AreaLightConstants& area_light(std::size_t light) const {
         return area_lights_[light];
     }
     [[nodiscard]] const DeltaLight& delta_light(std::size_t light) const {
@@ -98,7 +92,7 @@ class LightSet {
         return area_lights_.size() + (environment_->is_sampled() ? 1 : 0);
     }
 
-    std::vector<AreaLight> area_lights_;
+    std::vector<AreaLightConstants> area_lights_;
     std::shared_ptr<const Environment> environment_ = std::make_shared<const Environment>();
     std::vector<DeltaLight> delta_lights_;
     std::vector<EmissiveObject> emissive_;

@@ -1,7 +1,6 @@
 #include "render/integrator/wave/make_wave_scene.h"
 
 #include <algorithm>
-#include <variant>
 
 #include "render/integrator/light_hits.h"
 
@@ -36,8 +35,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         return light;
     }
     light.kind = WaveLight::Kind::area;
-    light.area = std::visit([](const auto& emitter) { return emitter.constants(); },
-                            lights.area_light(index));
+    light.area = lights.area_light(index);
     light.samples = first_vertex_samples(lights, index);
     return light;
 }

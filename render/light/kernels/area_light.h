@@ -1,13 +1,13 @@
-// Lights with a surface (area_light.h) in lanes. Included as render/lanes/kernels/vectors.h is.
+// Lights with a surface in lanes. Included as render/lanes/kernels/vectors.h is. Each kind is a
+// struct of formulas, and a line in `by_kind`; the functions below that describe the formulas.
 
-/// Radiance on a surface for a direction with this density of `sample`: RectangleEmitter::gain.
-template <class L, class Light>
-CAROM_KERNEL Vec3<typename L::Value> radiance_of(const Light& light, typename L::Value pdf) {
-    const Vec3<typename L::Value> radiance = all_of<L>(light.radiance);
-    if (light.has_falloff) {
-        return radiance;
-    }
-    return radiance * (L::all(kPi) * pdf);
+/// The factor by which the light on a surface is brighter than the light looks, for a direction
+/// with the density `pdf`. It differs from 1 only for a light without falloff, which gives every
+/// point the irradiance pi x radiance x the mean cosine towards the light.
+template <class L>
+CAROM_KERNEL typename L::Value gain_of_area_light(const AreaLightConstants& light,
+                                                  typename L::Value pdf) {
+    return light.has_falloff ? L::all(1) : L::all(kPi) * pdf;
 }
 
 /// Cosine towards a light's centre for an importance estimate; 0 if the whole light lies below the
@@ -18,102 +18,240 @@ CAROM_KERNEL typename L::Value surface_cosine(typename L::Value cosine, typename
                      L::larger(cosine, L::all(kLeastHorizonCosine)));
 }
 
-/// Not valid behind the light.
+/// A point on a light, sampled by area, for connections that are reflected on the way.
 template <class L>
-CAROM_KERNEL LightSampleOf<L> sample_rectangle(const RectangleConstants& light,
-                                               const Vec3<typename L::Value>& point,
-                                               const Vec2<typename L::Value>& u) {
-    const auto a = L::all(2) * u.x - L::all(1);
-    const auto b = L::all(2) * u.y - L::all(1);
-    const Vec3<typename L::Value> to_light =
-        all_of<L>(light.centre) + all_of<L>(light.edge_u) * a + all_of<L>(light.edge_v) * b - point;
-    const auto height = L::opposite_sign(dot(to_light, all_of<L>(light.normal)));
-    const auto valid = L::is_less(L::all(0), height);
-    const auto distance2 = dot(to_light, to_light);
-    const auto distance = L::root(distance2);
-    const auto pdf =
-        distance2 * distance / (L::select(valid, height, L::all(1)) * L::all(light.area));
-    return {to_light * (L::all(1) / distance), distance, pdf, radiance_of<L>(light, pdf), valid};
-}
+struct LightPointOf {
+    Vec3<typename L::Value> position;
+    Vec3<typename L::Value> normal;  // unit, of the area that the point was chosen on, on the side
+                                     // of the receiver
+    typename L::Value pdf;           // 1/m^2, > 0
+};
 
+/// One-sided rectangle, sampled uniformly by area. (Uniform sampling of its solid angle costs more
+/// than it gains for lamps a metre above a table.)
 template <class L>
-CAROM_KERNEL typename L::Value importance_of_rectangle(const RectangleConstants& light,
-                                                       const Vec3<typename L::Value>& point,
-                                                       const Vec3<typename L::Value>& normal) {
-    const Vec3<typename L::Value> to_light = all_of<L>(light.centre) - point;
-    const auto distance2 = L::larger(dot(to_light, to_light), L::all(1e-12f));
-    const auto distance = L::root(distance2);
-    const auto height = L::opposite_sign(dot(to_light, all_of<L>(light.normal)));
-    const auto cosine =
-        surface_cosine<L>(dot(to_light, normal) / distance, L::all(light.half_diagonal) / distance);
-    const auto shines = L::is_less(L::all(0), height);
-    const float brightness = luminance(light.radiance);
-    if (!light.has_falloff) {
-        return L::select(shines, L::all(brightness * kPi) * cosine, L::all(0));
+struct RectangleLightOf {
+    using V = typename L::Value;
+    const AreaLightConstants& light;
+
+    CAROM_KERNEL Vec3<V> point_at(const Vec2<V>& u) const {
+        const V a = L::all(2) * u.x - L::all(1);
+        const V b = L::all(2) * u.y - L::all(1);
+        return all_of<L>(light.centre) + all_of<L>(light.edge_u) * a + all_of<L>(light.edge_v) * b;
     }
-    // Within the light's own size the solid angle no longer grows.
-    const auto value = L::all(brightness * light.area) * cosine * (height / distance) /
-                       L::larger(distance2, L::all(0.25f * light.area));
-    return L::select(shines, value, L::all(0));
-}
 
-/// Not valid within the sphere.
+    CAROM_KERNEL LightSampleOf<L> sample(const Vec3<V>& point, const Vec2<V>& u) const {
+        const Vec3<V> to_light = point_at(u) - point;
+        const V height = L::opposite_sign(dot(to_light, all_of<L>(light.normal)));
+        const auto valid = L::is_less(L::all(0), height);
+        const V distance2 = dot(to_light, to_light);
+        const V distance = L::root(distance2);
+        const V pdf =
+            distance2 * distance / (L::select(valid, height, L::all(1)) * L::all(light.area));
+        return {to_light * (L::all(1) / distance), distance, pdf,
+                all_of<L>(light.radiance) * gain_of_area_light<L>(light, pdf), valid};
+    }
+
+    CAROM_KERNEL V pdf(const Vec3<V>& /*point*/, const Vec3<V>& direction, V distance) const {
+        const V cosine = L::opposite_sign(dot(direction, all_of<L>(light.normal)));
+        const auto faces = L::is_less(L::all(0), cosine);
+        const V pdf =
+            distance * distance / (L::select(faces, cosine, L::all(1)) * L::all(light.area));
+        return L::select(faces, pdf, L::all(0));
+    }
+
+    CAROM_KERNEL V importance(const Vec3<V>& point, const Vec3<V>& normal) const {
+        const Vec3<V> to_light = all_of<L>(light.centre) - point;
+        const V distance2 = L::larger(dot(to_light, to_light), L::all(1e-12f));
+        const V distance = L::root(distance2);
+        const V height = L::opposite_sign(dot(to_light, all_of<L>(light.normal)));
+        const V cosine =
+            surface_cosine<L>(dot(to_light, normal) / distance, L::all(light.radius) / distance);
+        const auto shines = L::is_less(L::all(0), height);
+        const float brightness = luminance(light.radiance);
+        if (!light.has_falloff) {
+            return L::select(shines, L::all(brightness * kPi) * cosine, L::all(0));
+        }
+        // Within the light's own size the solid angle no longer grows.
+        const V value = L::all(brightness * light.area) * cosine * (height / distance) /
+                        L::larger(distance2, L::all(0.25f * light.area));
+        return L::select(shines, value, L::all(0));
+    }
+
+    CAROM_KERNEL LightPointOf<L> sample_point(const Vec3<V>& /*receiver*/, V /*receiver_radius*/,
+                                              const Vec2<V>& u) const {
+        return {point_at(u), all_of<L>(light.normal), L::all(1 / light.area)};
+    }
+    CAROM_KERNEL typename L::Mask can_sample_point(V distance, V /*receiver_radius*/) const {
+        return L::is_less(L::all(0), distance);
+    }
+    CAROM_KERNEL V distance_along(const Vec3<V>& /*origin*/, const Vec3<V>& /*direction*/,
+                                  V to_point) const {
+        return to_point;
+    }
+};
+
+/// Sphere, sampled uniformly over the cone that it subtends at the point; nothing is sampled from
+/// within.
 template <class L>
-CAROM_KERNEL LightSampleOf<L> sample_sphere_light(const SphereConstants& light,
-                                                  const Vec3<typename L::Value>& point,
-                                                  const Vec2<typename L::Value>& u) {
-    const Vec3<typename L::Value> to_light = all_of<L>(light.centre) - point;
-    const auto radius = L::all(light.radius);
-    const auto distance2 = dot(to_light, to_light);
-    const auto distance = L::root(distance2);
-    const auto one_minus_cos = one_minus_cos_of_sphere<L>(radius, distance);
-    const Vec3<typename L::Value> in_cone = sample_cone<L>(u, one_minus_cos);
-    const auto sine2 = in_cone.x * in_cone.x + in_cone.y * in_cone.y;
-    // Distance along the direction from the sphere's near side to the point closest to its centre.
-    const auto inside = L::root(L::larger(L::all(0), radius * radius - distance2 * sine2));
-    const BasisOf<L> basis = basis_around<L>(to_light * (L::all(1) / distance));
-    const auto pdf = L::all(1) / (L::all(kTurn) * one_minus_cos);
-    return {unit<L>(basis.to_world(in_cone)), L::larger(L::all(0), distance * in_cone.z - inside),
-            pdf, radiance_of<L>(light, pdf), L::is_less(radius * radius, distance2)};
+struct SphereLightOf {
+    using V = typename L::Value;
+    const AreaLightConstants& light;
+
+    CAROM_KERNEL LightSampleOf<L> sample(const Vec3<V>& point, const Vec2<V>& u) const {
+        const Vec3<V> to_light = all_of<L>(light.centre) - point;
+        const V radius = L::all(light.radius);
+        const V distance2 = dot(to_light, to_light);
+        const V distance = L::root(distance2);
+        const V one_minus_cos = one_minus_cos_of_sphere<L>(radius, distance);
+        const Vec3<V> in_cone = sample_cone<L>(u, one_minus_cos);
+        const V sine2 = in_cone.x * in_cone.x + in_cone.y * in_cone.y;
+        // Distance along the direction from the sphere's near side to the point closest to its
+        // centre.
+        const V inside = L::root(L::larger(L::all(0), radius * radius - distance2 * sine2));
+        const BasisOf<L> basis = basis_around<L>(to_light * (L::all(1) / distance));
+        const V pdf = L::all(1) / (L::all(kTurn) * one_minus_cos);
+        return {unit<L>(basis.to_world(in_cone)),
+                L::larger(L::all(0), distance * in_cone.z - inside), pdf,
+                all_of<L>(light.radiance) * gain_of_area_light<L>(light, pdf),
+                L::is_less(radius * radius, distance2)};
+    }
+
+    CAROM_KERNEL V pdf(const Vec3<V>& point, const Vec3<V>& /*direction*/, V /*distance*/) const {
+        const Vec3<V> to_light = all_of<L>(light.centre) - point;
+        const V radius = L::all(light.radius);
+        const V distance2 = dot(to_light, to_light);
+        const V solid_angle =
+            L::all(kTurn) * one_minus_cos_of_sphere<L>(radius, L::root(distance2));
+        return L::select(L::is_less(radius * radius, distance2), L::all(1) / solid_angle,
+                         L::all(0));
+    }
+
+    CAROM_KERNEL V importance(const Vec3<V>& point, const Vec3<V>& normal) const {
+        const Vec3<V> to_light = all_of<L>(light.centre) - point;
+        const V distance = L::larger(L::root(dot(to_light, to_light)), L::all(1e-6f));
+        const V radius = L::all(light.radius);
+        const V solid_angle = light.has_falloff
+                                  ? L::all(kTurn) * one_minus_cos_of_sphere<L>(radius, distance)
+                                  : L::all(kPi);
+        const V value = L::all(luminance(light.radiance)) * solid_angle *
+                        surface_cosine<L>(dot(to_light, normal) / distance, radius / distance);
+        return L::select(L::is_less(radius, distance), value, L::all(0));
+    }
+
+    // The point lies on a disk through the light's centre that is large enough that every ray from
+    // the receiver that hits the light crosses it. Such a ray passes the centre within the radius,
+    // at an angle to the disk's normal whose sine is at most (receiver_radius + radius) / distance,
+    // so it crosses within radius / cosine.
+    CAROM_KERNEL LightPointOf<L> sample_point(const Vec3<V>& receiver, V receiver_radius,
+                                              const Vec2<V>& u) const {
+        const Vec3<V> centre = all_of<L>(light.centre);
+        const Vec3<V> to_receiver = receiver - centre;
+        const V distance = L::root(dot(to_receiver, to_receiver));
+        const V sine = (receiver_radius + L::all(light.radius)) / distance;
+        const BasisOf<L> basis = basis_around<L>(
+            {to_receiver.x / distance, to_receiver.y / distance, to_receiver.z / distance});
+        const V disk = L::all(light.radius) / L::root(L::all(1) - sine * sine);
+        const Vec2<V> place = sample_disk<L>(u);
+        return {centre + basis.x * (place.x * disk) + basis.y * (place.y * disk), basis.z,
+                L::all(1) / (L::all(kPi) * disk * disk)};
+    }
+    CAROM_KERNEL typename L::Mask can_sample_point(V distance, V receiver_radius) const {
+        // The bound keeps the disk from growing without limit.
+        constexpr float kWidestSine = 0.9f;
+        return L::is_less(receiver_radius + L::all(light.radius), L::all(kWidestSine) * distance);
+    }
+    CAROM_KERNEL V distance_along(const Vec3<V>& origin, const Vec3<V>& direction,
+                                  V /*to_point*/) const {
+        const Vec3<V> to_light = all_of<L>(light.centre) - origin;
+        const V along = dot(to_light, direction);
+        const Vec3<V> beside = to_light - direction * along;
+        const V inside2 = L::all(light.radius * light.radius) - dot(beside, beside);
+        const auto hits = L::both(L::is_less(L::all(0), inside2), L::is_less(L::all(0), along));
+        const V inside = L::root(L::larger(inside2, L::all(0)));
+        return L::select(hits, L::larger(L::all(0), along - inside), L::all(-1));
+    }
+};
+
+/// What `visit` returns for the formulas of the light's kind.
+template <class L, class Visit>
+CAROM_KERNEL auto by_kind(const AreaLightConstants& light, const Visit& visit) {
+    if (light.kind == ShapeKind::rectangle) {
+        return visit(RectangleLightOf<L>{light});
+    }
+    return visit(SphereLightOf<L>{light});
 }
 
-template <class L>
-CAROM_KERNEL typename L::Value importance_of_sphere(const SphereConstants& light,
-                                                    const Vec3<typename L::Value>& point,
-                                                    const Vec3<typename L::Value>& normal) {
-    const Vec3<typename L::Value> to_light = all_of<L>(light.centre) - point;
-    const auto distance = L::larger(L::root(dot(to_light, to_light)), L::all(1e-6f));
-    const auto radius = L::all(light.radius);
-    const auto solid_angle = light.has_falloff
-                                 ? L::all(kTurn) * one_minus_cos_of_sphere<L>(radius, distance)
-                                 : L::all(kPi);
-    const auto value = L::all(luminance(light.radiance)) * solid_angle *
-                       surface_cosine<L>(dot(to_light, normal) / distance, radius / distance);
-    return L::select(L::is_less(radius, distance), value, L::all(0));
-}
-
+/// Not valid behind a one-sided light or within a closed one.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_area_light(const AreaLightConstants& light,
                                                 const Vec3<typename L::Value>& point,
                                                 const Vec2<typename L::Value>& u) {
-    switch (light.kind) {
-        case AreaLightConstants::Kind::rectangle:
-            return sample_rectangle<L>(light.rectangle, point, u);
-        case AreaLightConstants::Kind::sphere:
-            break;
-    }
-    return sample_sphere_light<L>(light.sphere, point, u);
+    return by_kind<L>(light, [&](const auto& formulas)
+                                 CAROM_KERNEL_ATTRIBUTE { return formulas.sample(point, u); });
 }
 
+/// Density of the samples (1/sr) for a direction that hits the light at `distance`.
+template <class L>
+CAROM_KERNEL typename L::Value pdf_of_area_light(const AreaLightConstants& light,
+                                                 const Vec3<typename L::Value>& point,
+                                                 const Vec3<typename L::Value>& direction,
+                                                 typename L::Value distance) {
+    return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
+        return formulas.pdf(point, direction, distance);
+    });
+}
+
+/// Estimate of the unoccluded light at a surface. It is 0 only where nothing arrives.
 template <class L>
 CAROM_KERNEL typename L::Value importance_of_area_light(const AreaLightConstants& light,
                                                         const Vec3<typename L::Value>& point,
                                                         const Vec3<typename L::Value>& normal) {
-    switch (light.kind) {
-        case AreaLightConstants::Kind::rectangle:
-            return importance_of_rectangle<L>(light.rectangle, point, normal);
-        case AreaLightConstants::Kind::sphere:
-            break;
-    }
-    return importance_of_sphere<L>(light.sphere, point, normal);
+    return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
+        return formulas.importance(point, normal);
+    });
+}
+
+/// Radiance towards `direction`, which points away from the light.
+template <class L>
+CAROM_KERNEL Vec3<typename L::Value> emitted_by_area_light(
+    const AreaLightConstants& light, const Vec3<typename L::Value>& direction) {
+    const auto shines = L::is_less(L::all(0), dot(direction, all_of<L>(light.normal)));
+    return all_of<L>(light.radiance) *
+           (light.is_one_sided ? L::select(shines, L::all(1), L::all(0)) : L::all(1));
+}
+
+/// A point of the light for rays from within `receiver_radius` of `receiver`, for which
+/// `can_sample_point_of_area_light` holds.
+template <class L>
+CAROM_KERNEL LightPointOf<L> sample_point_of_area_light(const AreaLightConstants& light,
+                                                        const Vec3<typename L::Value>& receiver,
+                                                        typename L::Value receiver_radius,
+                                                        const Vec2<typename L::Value>& u) {
+    return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
+        return formulas.sample_point(receiver, receiver_radius, u);
+    });
+}
+
+/// Whether a receiver with its centre at `distance` from the light's leaves room for the area from
+/// which points are sampled.
+template <class L>
+CAROM_KERNEL typename L::Mask can_sample_point_of_area_light(const AreaLightConstants& light,
+                                                             typename L::Value distance,
+                                                             typename L::Value receiver_radius) {
+    return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
+        return formulas.can_sample_point(distance, receiver_radius);
+    });
+}
+
+/// Distance to the light along a ray towards a sampled point, which is `to_point` away; negative if
+/// the ray misses the light.
+template <class L>
+CAROM_KERNEL typename L::Value distance_to_area_light(const AreaLightConstants& light,
+                                                      const Vec3<typename L::Value>& origin,
+                                                      const Vec3<typename L::Value>& direction,
+                                                      typename L::Value to_point) {
+    return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
+        return formulas.distance_along(origin, direction, to_point);
+    });
 }

@@ -24,7 +24,7 @@ CAROM_KERNEL typename L::Value importance_of_shape(const EmissiveShapeConstants&
                                                    const Vec3<typename L::Value>& point,
                                                    const Vec3<typename L::Value>& normal) {
     return shape.kind == EmissiveShapeConstants::Kind::sphere
-               ? importance_of_sphere<L>(shape.sphere, point, normal)
+               ? SphereLightOf<L>{shape.sphere}.importance(point, normal)
                : importance_of_object<L>(shape.importance, point, normal);
 }
 
@@ -192,10 +192,10 @@ CAROM_KERNEL LightSampleOf<L> sample_ellipsoid(const EmissiveShapeConstants& sha
                                                const Vec3<typename L::Value>& point,
                                                const Vec2<typename L::Value>& u) {
     using V = typename L::Value;
-    SphereConstants sphere;
+    AreaLightConstants sphere;
     sphere.radius = 1;
     const LightSampleOf<L> found =
-        sample_sphere_light<L>(sphere, affine_of<L>(shape.unit_from_body).point(point), u);
+        SphereLightOf<L>{sphere}.sample(affine_of<L>(shape.unit_from_body).point(point), u);
     const Vec3<V> direction = affine_of<L>(shape.body_from_unit).vector(found.direction);
     const V stretch = L::root(dot(direction, direction));
     return {direction * (L::all(1) / stretch), found.distance * stretch,
@@ -211,7 +211,7 @@ CAROM_KERNEL LightSampleOf<L> sample_shape(const EmissiveShapeConstants& shape,
     using Kind = EmissiveShapeConstants::Kind;
     LightSampleOf<L> found;
     if (shape.kind == Kind::sphere) {
-        found = sample_sphere_light<L>(shape.sphere, point, u);
+        found = SphereLightOf<L>{shape.sphere}.sample(point, u);
     } else if (shape.kind == Kind::ellipsoid) {
         found = sample_ellipsoid<L>(shape, point, u);
     } else {

@@ -90,7 +90,12 @@ export async function check(context) {
     const said = sure.labels.find((text) => / is potted in \d of 8$/.test(text));
     equal(said !== undefined, true, sure.labels.join(' | '));
     await shoot('fan');
-    // What stands still is not drawn anew while time passes.
+    // What stands still is not drawn anew while time passes. What the strike pots, which is asked once
+    // the shot rests, is drawn when its answer comes: that is awaited first.
+    await page.waitForFunction(() => {
+        const { judged, timeline } = window.studio.state;
+        return judged.value?.v === timeline.value.head.v;
+    });
     const drawn = await page.evaluate(async () => {
         const { state, gizmos } = window.studio;
         const still = gizmos.draws('still');

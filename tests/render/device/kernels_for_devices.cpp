@@ -183,6 +183,15 @@ CAROM_KERNEL void light(const Scene& scene, const Vec3<float>& point, const Vec3
         }
     }
     sum.add(importance_of_area_light<L>(scene.area, point, normal));
+    sum.add(pdf_of_area_light<L>(scene.area, point, normal, u.x));
+    sum.add(emitted_by_area_light<L>(scene.area, normal));
+    sum.add(distance_to_area_light<L>(scene.area, point, normal, u.x));
+    if (can_sample_point_of_area_light<L>(scene.area, u.x, u.y)) {
+        const LightPointOf<L> on_light = sample_point_of_area_light<L>(scene.area, point, u.y, u);
+        sum.add(on_light.position);
+        sum.add(on_light.normal);
+        sum.add(on_light.pdf);
+    }
     sum.add(importance_of_delta_light<L>(scene.delta, point, normal));
     sum.add(importance_of_shape<L>(scene.shape, point, normal));
     sum.add(pdf_of_shape<L>(scene.shape, point, normal, u.x, normal));

@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/colour.h"
 #include "render/frame/progressive_frame.h"
 #include "render/frame/splat_moments.h"
-#include "render/light/area_light.h"
+#include "render/geometry/ray.h"
 #include "tests/render/scene_builder.h"
 
 namespace carom::render {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/sampling/scalar_kernels.h"
+#include "render/light/scalar_kernels.h"
 #include "tests/render/direction_density.h"
 #include "tests/render/light/light_samples.h"
 
@@ -54,13 +54,13 @@ double polygon_irradiance(const std::vector<Vec3>& corners, const Vec3& point, c
     return std::abs(0.5 * sum);
 }
 
-TEST(RectangleEmitter, FromBehind_GivesNothing) {
-    EXPECT_FALSE(light_sample(RectangleEmitter(lamp()), V3f(0, 0, 2), V2f(0.5f, 0.5f)));
+TEST(RectangleLight, FromBehind_GivesNothing) {
+    EXPECT_FALSE(light_sample(constants_of(lamp()), V3f(0, 0, 2), V2f(0.5f, 0.5f)));
 }
 
-TEST(RectangleEmitter, Samples_FollowPdf) {
+TEST(RectangleLight, Samples_FollowPdf) {
     const RectangleLight light = lamp();
-    const RectangleEmitter emitter(light);
+    const AreaLightConstants emitter = constants_of(light);
     for (const V3f& point : {V3f(0, 0, 0), V3f(1.5f, 0.2f, 1.0f)}) {
         test::DensityTest setup;
         setup.tests = 4;
@@ -81,15 +81,16 @@ TEST(RectangleEmitter, Samples_FollowPdf) {
                 const double distance = to_light.length();
                 const double per_place =
                     -to_light.dot(light.normal) / distance * 0.6 / (distance * distance);
-                return per_place *
-                       emitter.pdf(point, V3f(to_light / distance), static_cast<float>(distance));
+                return per_place * scalar::pdf_of_area_light<One>(emitter, point,
+                                                                  V3f(to_light / distance),
+                                                                  static_cast<float>(distance));
             },
             setup);
     }
 }
 
-TEST(SphereEmitter, Samples_FollowPdf) {
-    const SphereEmitter emitter(bulb());
+TEST(SphereLight, Samples_FollowPdf) {
+    const AreaLightConstants emitter = constants_of(bulb());
     const V3f centre(bulb().centre);
     for (const V3f& point : {V3f(0, 0, 0), V3f(-0.5f, 0.4f, 0.55f)}) {
         test::DensityTest setup;
@@ -101,7 +102,9 @@ TEST(SphereEmitter, Samples_FollowPdf) {
                 EXPECT_TRUE(sample.has_value());
                 return sample->direction;
             },
-            [&](const V3f& direction) { return emitter.pdf(point, direction, 1); },
+            [&](const V3f& direction) {
+                return scalar::pdf_of_area_light<One>(emitter, point, direction, 1);
+            },
             (centre - point) / distance, scalar::one_minus_cos_of_sphere<One>(0.3f, distance),
             setup);
     }
@@ -109,8 +112,8 @@ TEST(SphereEmitter, Samples_FollowPdf) {
 
 TEST(AreaLights, EverySample_LiesOnTheLightAndHasItsPdf) {
     test::TestRandom random(5);
-    const RectangleEmitter rectangle(lamp());
-    const SphereEmitter sphere(bulb());
+    const AreaLightConstants rectangle = constants_of(lamp());
+    const AreaLightConstants sphere = constants_of(bulb());
     const V3f point(0.2f, 0.1f, 0);
     for (int i = 0; i < 500; ++i) {
         const float x = random.unit();
@@ -119,20 +122,22 @@ TEST(AreaLights, EverySample_LiesOnTheLightAndHasItsPdf) {
         ASSERT_TRUE(on_rectangle);
         EXPECT_NEAR(distance_to(lamp(), point, on_rectangle->direction), on_rectangle->distance,
                     1e-5);
-        EXPECT_NEAR(rectangle.pdf(point, on_rectangle->direction, on_rectangle->distance) /
+        EXPECT_NEAR(scalar::pdf_of_area_light<One>(rectangle, point, on_rectangle->direction,
+                                                   on_rectangle->distance) /
                         on_rectangle->pdf,
                     1, 1e-5);
         const auto on_sphere = light_sample(sphere, point, V2f(x, y));
         ASSERT_TRUE(on_sphere);
         const V3f place = point + on_sphere->direction * on_sphere->distance;
         EXPECT_NEAR((place - V3f(bulb().centre)).length(), 0.3f, 1e-3f);
-        EXPECT_EQ(sphere.pdf(point, on_sphere->direction, 1), on_sphere->pdf);
+        EXPECT_EQ(scalar::pdf_of_area_light<One>(sphere, point, on_sphere->direction, 1),
+                  on_sphere->pdf);
     }
 }
 
-TEST(RectangleEmitter, Irradiance_IsLambertsFormula) {
+TEST(RectangleLight, Irradiance_IsLambertsFormula) {
     const RectangleLight light = lamp();
-    const RectangleEmitter emitter(light);
+    const AreaLightConstants emitter = constants_of(light);
     const V3f point(0, 0, 0.1f);
     const V3f normal = V3f(0.2f, 0.1f, 1).normalized();
     test::TestRandom random(9);
@@ -143,8 +148,9 @@ TEST(RectangleEmitter, Irradiance_IsLambertsFormula) {
         const float x = random.unit();
         const float y = random.unit();
         const auto sample = light_sample(emitter, point, V2f(x, y));
-        const double value =
-            sample->direction.dot(normal) * emitter.emitted(-sample->direction).x / sample->pdf;
+        const double value = sample->direction.dot(normal) *
+                             scalar::emitted_by_area_light<One>(emitter, -sample->direction).x /
+                             sample->pdf;
         sum += value;
         squares += value * value;
     }
@@ -158,9 +164,9 @@ TEST(RectangleEmitter, Irradiance_IsLambertsFormula) {
     EXPECT_LT(error, 0.005 * exact);
 }
 
-TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
+TEST(SphereLight, Irradiance_IsPiTimesSquareOfTheRatio) {
     // pi L (R / d)^2 cos(theta) while the sphere is entirely above the horizon.
-    const SphereEmitter emitter(bulb());
+    const AreaLightConstants emitter = constants_of(bulb());
     const V3f point(0, 0, 0);
     const V3f normal(0, 0, 1);
     test::TestRandom random(13);
@@ -171,8 +177,9 @@ TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
         const float x = random.unit();
         const float y = random.unit();
         const auto sample = light_sample(emitter, point, V2f(x, y));
-        const double value =
-            sample->direction.dot(normal) * emitter.emitted(-sample->direction).x / sample->pdf;
+        const double value = sample->direction.dot(normal) *
+                             scalar::emitted_by_area_light<One>(emitter, -sample->direction).x /
+                             sample->pdf;
         sum += value;
         squares += value * value;
     }
@@ -185,31 +192,31 @@ TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
     EXPECT_LT(error, 0.005 * exact);
 }
 
-TEST(RectangleEmitter, PointBehindIt_GetsNothing) {
-    const RectangleEmitter emitter(lamp());
+TEST(RectangleLight, PointBehindIt_GetsNothing) {
+    const AreaLightConstants emitter = constants_of(lamp());
     const V3f above(0, 0, 2);
     EXPECT_FALSE(light_sample(emitter, above, V2f(0.5f, 0.5f)));
-    EXPECT_EQ(scalar::importance_of_area_light<One>(emitter.constants(), above, V3f(0, 0, -1)), 0);
-    EXPECT_EQ(emitter.pdf(above, V3f(0, 0, -1), 0.6f), 0);
-    EXPECT_EQ(emitter.emitted(V3f(0, 0, 1)), V3f(0, 0, 0));
-    EXPECT_EQ(emitter.emitted(V3f(0, 0, -1)), V3f(20, 18, 15));
+    EXPECT_EQ(scalar::importance_of_area_light<One>(emitter, above, V3f(0, 0, -1)), 0);
+    EXPECT_EQ(scalar::pdf_of_area_light<One>(emitter, above, V3f(0, 0, -1), 0.6f), 0);
+    EXPECT_EQ(scalar::emitted_by_area_light<One>(emitter, V3f(0, 0, 1)), V3f(0, 0, 0));
+    EXPECT_EQ(scalar::emitted_by_area_light<One>(emitter, V3f(0, 0, -1)), V3f(20, 18, 15));
 }
 
-TEST(SphereEmitter, PointInsideIt_IsNotSampled) {
-    const SphereEmitter emitter(bulb());
+TEST(SphereLight, PointInsideIt_IsNotSampled) {
+    const AreaLightConstants emitter = constants_of(bulb());
     EXPECT_FALSE(light_sample(emitter, V3f(-0.5f, 0.4f, 1.0f), V2f(0.5f, 0.5f)));
-    EXPECT_EQ(emitter.pdf(V3f(-0.5f, 0.4f, 1.0f), V3f(0, 0, 1), 1), 0);
+    EXPECT_EQ(scalar::pdf_of_area_light<One>(emitter, V3f(-0.5f, 0.4f, 1.0f), V3f(0, 0, 1), 1), 0);
 }
 
 TEST(AreaLights, PartlyAboveTheHorizon_AreStillChosen) {
-    const SphereEmitter sphere(bulb());
+    const AreaLightConstants sphere = constants_of(bulb());
     const V3f point(0, 0, 0);
     const V3f towards = (V3f(bulb().centre) - point).normalized();
     const V3f sideways = towards.cross(V3f(0, 0, 1)).normalized();
-    EXPECT_GT(scalar::importance_of_area_light<One>(sphere.constants(), point,
+    EXPECT_GT(scalar::importance_of_area_light<One>(sphere, point,
                                                     (sideways - towards * 0.1f).normalized()),
               0);
-    EXPECT_EQ(scalar::importance_of_area_light<One>(sphere.constants(), point, -towards), 0);
+    EXPECT_EQ(scalar::importance_of_area_light<One>(sphere, point, -towards), 0);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ V3f irradiance(const DeltaLight& light, const V3f& point) {
 }
 
 TEST(PointLight, Irradiance_FallsWithTheSquareOfTheDistance) {
-    const DeltaLight light(PointLight{{1, 2, 3}, {10, 20, 40}});
+    const DeltaLight light = *delta_light_of({"light", PointLight{{1, 2, 3}, {10, 20, 40}}});
     for (const float distance : {0.1f, 1.0f, 2.5f, 30.0f}) {
         const V3f arriving = irradiance(light, V3f(1, 2 + distance, 3));
         EXPECT_NEAR(arriving.x * distance * distance, 10, 1e-4);
@@ -31,7 +31,8 @@ TEST(PointLight, Irradiance_FallsWithTheSquareOfTheDistance) {
 }
 
 TEST(PointLight, WithoutFalloff_GivesTheSameAtEveryDistance) {
-    const DeltaLight light(PointLight{{1, 2, 3}, {10, 20, 40}, Falloff::none});
+    const DeltaLight light =
+        *delta_light_of({"light", PointLight{{1, 2, 3}, {10, 20, 40}, Falloff::none}});
     for (const float distance : {0.1f, 1.0f, 2.5f, 30.0f}) {
         EXPECT_EQ(irradiance(light, V3f(1, 2 + distance, 3)), V3f(10, 20, 40));
         EXPECT_NEAR(scalar::importance_of_delta_light<scalar::One>(
@@ -50,7 +51,7 @@ TEST(SpotLight, Cone_IsFullInsideDarkOutsideAndSmoothBetween) {
     spot.intensity = Vec3(8, 8, 8);
     spot.inner_angle = 0.3;
     spot.outer_angle = 0.5;
-    const DeltaLight light(spot);
+    const DeltaLight light = *delta_light_of({"light", spot});
     const auto at_angle = [&](double angle) {
         const double s = 2 * std::sin(angle);
         return irradiance(light, V3f(static_cast<float>(s), 0,
@@ -70,7 +71,7 @@ TEST(SpotLight, Cone_IsFullInsideDarkOutsideAndSmoothBetween) {
 }
 
 TEST(DirectionalLight, Irradiance_IsTheSameEverywhere) {
-    const DeltaLight light(DirectionalLight{{0, 3, -4}, {5, 6, 7}});
+    const DeltaLight light = *delta_light_of({"light", DirectionalLight{{0, 3, -4}, {5, 6, 7}}});
     for (const V3f& point : {V3f(0, 0, 0), V3f(100, -3, 2)}) {
         EXPECT_EQ(irradiance(light, point), V3f(5, 6, 7));
         const V3f direction = light_sample(light, point)->direction;

@@ -32,7 +32,7 @@ TEST(EmissiveSurface, ARectangleOfTriangles_IsSampledLikeTheLamp) {
     lamp.centre = Vec3(0, 0, 1);
     lamp.edge_u = Vec3(0.4, 0, 0);
     lamp.edge_v = Vec3(0, 0.3, 0);
-    const RectangleEmitter emitter(lamp);
+    const AreaLightConstants emitter = constants_of(lamp);
     const V3f point(0.2f, -0.6f, 0.1f);
     test::TestRandom random(11);
     double left = 0;
@@ -44,7 +44,8 @@ TEST(EmissiveSurface, ARectangleOfTriangles_IsSampledLikeTheLamp) {
         ASSERT_LE(std::abs(place.x), 0.4001);
         ASSERT_LE(std::abs(place.y), 0.3001);
         left += place.x < -0.2f ? 1 : 0;
-        const float expected = emitter.pdf(point, sample->direction, sample->distance);
+        const float expected = scalar::pdf_of_area_light<scalar::One>(
+            emitter, point, sample->direction, sample->distance);
         ASSERT_NEAR(sample->pdf, expected, 1e-4f * expected);
     }
     EXPECT_NEAR(left / 20'000, 0.25, 0.015);

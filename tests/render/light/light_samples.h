@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "render/light/area_light.h"
 #include "render/light/delta_light.h"
 #include "render/light/emissive_shape.h"
 #include "render/light/emissive_surface.h"
@@ -11,6 +12,10 @@
 #include "render/light/scalar_kernels.h"
 
 namespace carom::render {
+
+[[nodiscard]] inline AreaLightConstants constants_of(const auto& light) {
+    return area_light_of({"light", light})->constants;
+}
 
 using LightSample = scalar::LightSampleOf<scalar::One>;
 
@@ -23,11 +28,13 @@ template <class Emitter>
     using scalar::One;
     if constexpr (requires { light.pdf(1.0f, 1.0f); }) {
         return if_valid(scalar::sample_surface<One>(light.constants(), point, u));
-    } else if constexpr (requires { light.is_round(); }) {
-        return if_valid(scalar::sample_shape<One>(light.constants(), point, u));
     } else {
-        return if_valid(scalar::sample_area_light<One>(light.constants(), point, u));
+        return if_valid(scalar::sample_shape<One>(light.constants(), point, u));
     }
+}
+[[nodiscard]] inline std::optional<LightSample> light_sample(const AreaLightConstants& light,
+                                                             const V3f& point, const V2f& u) {
+    return if_valid(scalar::sample_area_light<scalar::One>(light, point, u));
 }
 [[nodiscard]] inline std::optional<LightSample> light_sample(const DeltaLight& light,
                                                              const V3f& point) {
