@@ -33,13 +33,12 @@ inline constexpr int kPacketLanes =
 /// Products and differences are not fused, so that every instruction set gives the same distances.
 template <class L>
 struct BoxLines {
-    typename L::Value low[3], high[3];  // the origin before lower planes, and before upper ones
-    typename L::Value inverse[3];       // of the direction
+    ValueOf<L> low[3], high[3];  // the origin before lower planes, and before upper ones
+    ValueOf<L> inverse[3];       // of the direction
 };
 
 template <class L>
-HWY_INLINE BoxLines<L> box_lines(const typename L::Value (&origin)[3],
-                                 const typename L::Value (&direction)[3]) {
+HWY_INLINE BoxLines<L> box_lines(const ValueOf<L> (&origin)[3], const ValueOf<L> (&direction)[3]) {
     const auto sum = L::size(origin[0]) + L::size(origin[1]) + L::size(origin[2]);
     const auto margin = sum * L::all(0x1p-18f);
     BoxLines<L> lines;

@@ -4,11 +4,9 @@
 /// Whether rays stay beyond a slab up to `end`: they start there and do not turn to it, or do not
 /// reach it. `end` is finite.
 template <class L>
-CAROM_KERNEL typename L::Mask stay_beyond(const LeafSlab& slab,
-                                          const Vec3<typename L::Value>& origin,
-                                          const Vec3<typename L::Value>& direction,
-                                          typename L::Value end) {
-    const Vec3<typename L::Value> normal = all_of<L>(slab.normal);
+CAROM_KERNEL MaskOf<L> stay_beyond(const LeafSlab& slab, const Vec3Of<L>& origin,
+                                   const Vec3Of<L>& direction, ValueOf<L> end) {
+    const Vec3Of<L> normal = all_of<L>(slab.normal);
     const auto height = dot(normal, origin);
     const auto rise = dot(normal, direction);
     const auto zero = L::all(0);
@@ -29,14 +27,13 @@ CAROM_KERNEL typename L::Mask stay_beyond(const LeafSlab& slab,
 
 /// Whether rays pass above everything that the map shows. It must not be empty.
 template <class L>
-CAROM_KERNEL typename L::Mask pass_above(const HorizonTables& map,
-                                         const Vec3<typename L::Value>& origin,
-                                         const Vec3<typename L::Value>& direction) {
+CAROM_KERNEL MaskOf<L> pass_above(const HorizonTables& map, const Vec3Of<L>& origin,
+                                  const Vec3Of<L>& direction) {
     const auto zero = L::all(0);
     const auto scale = L::all(map.cells_per_metre);
     const auto x = (origin.x - L::all(map.x)) * scale;
     const auto y = (origin.y - L::all(map.y)) * scale;
-    const auto is_within = [&](typename L::Value place, int count) CAROM_KERNEL_ATTRIBUTE {
+    const auto is_within = [&](ValueOf<L> place, int count) CAROM_KERNEL_ATTRIBUTE {
         return L::both(L::is_at_most(zero, place),
                        L::is_less(place, L::all(static_cast<float>(count))));
     };

@@ -3,30 +3,29 @@
 /// The parameters of a camera at one time. See CameraAtTime.
 template <class L>
 struct CameraFrameOf {
-    Vec3<typename L::Value> position, forward, right, up;
-    typename L::Value pixel_size, focus_distance, lens_radius, blade_turns;
+    Vec3Of<L> position, forward, right, up;
+    ValueOf<L> pixel_size, focus_distance, lens_radius, blade_turns;
 };
 
 /// The numbers of a camera sample (sampler.h).
 template <class L>
 struct CameraNumbersOf {
-    Vec2<typename L::Value> pixel, lens;
-    typename L::Value time;
+    Vec2Of<L> pixel, lens;
+    ValueOf<L> time;
 };
 
 template <class L>
 struct CameraRayOf {
-    Vec3<typename L::Value> origin, direction;
-    typename L::Value time;
+    Vec3Of<L> origin, direction;
+    ValueOf<L> time;
 };
 
 template <class L>
-CAROM_KERNEL typename L::Value mixed(float from, float to, typename L::Value weight) {
+CAROM_KERNEL ValueOf<L> mixed(float from, float to, ValueOf<L> weight) {
     return L::all(from) + weight * (L::all(to) - L::all(from));
 }
 template <class L, class Vector>
-CAROM_KERNEL Vec3<typename L::Value> mixed_vector(const Vector& from, const Vector& to,
-                                                  typename L::Value weight) {
+CAROM_KERNEL Vec3Of<L> mixed_vector(const Vector& from, const Vector& to, ValueOf<L> weight) {
     return {mixed<L>(from.x, to.x, weight), mixed<L>(from.y, to.y, weight),
             mixed<L>(from.z, to.z, weight)};
 }
@@ -40,7 +39,7 @@ CAROM_KERNEL CameraFrameOf<L> frame_at_rest(const CameraAtTime& frame) {
 
 template <class L>
 CAROM_KERNEL CameraFrameOf<L> moving_frame(const CameraAtTime& a, const CameraAtTime& b,
-                                           typename L::Value time) {
+                                           ValueOf<L> time) {
     CameraFrameOf<L> frame;
     frame.position = mixed_vector<L>(a.position, b.position, time);
     frame.forward = unit<L>(mixed_vector<L>(a.axis, b.axis, time));
@@ -49,7 +48,7 @@ CAROM_KERNEL CameraFrameOf<L> moving_frame(const CameraAtTime& a, const CameraAt
     if (a.roll != 0 || b.roll != 0) {
         const SinCosOf<L> turn =
             sin_cos_turn<L>(mixed<L>(a.roll, b.roll, time) * L::all(0.5f * kInversePi));
-        const Vec3<typename L::Value> level = frame.right;
+        const Vec3Of<L> level = frame.right;
         frame.right = level * turn.cosine + frame.up * turn.sine;
         frame.up = frame.up * turn.cosine - level * turn.sine;
     }
@@ -62,26 +61,25 @@ CAROM_KERNEL CameraFrameOf<L> moving_frame(const CameraAtTime& a, const CameraAt
 
 /// `time` within the shutter, [0, 1].
 template <class L>
-CAROM_KERNEL CameraFrameOf<L> frame_at(const CameraConstants& camera, typename L::Value time) {
+CAROM_KERNEL CameraFrameOf<L> frame_at(const CameraConstants& camera, ValueOf<L> time) {
     return camera.moves ? moving_frame<L>(camera.open, camera.close, time)
                         : frame_at_rest<L>(camera.open);
 }
 
 /// A point on the lens, from its centre.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> point_on_lens(const CameraFrameOf<L>& frame, int blades,
-                                                   const Vec2<typename L::Value>& u) {
-    const Vec2<typename L::Value> p =
+CAROM_KERNEL Vec3Of<L> point_on_lens(const CameraFrameOf<L>& frame, int blades,
+                                     const Vec2Of<L>& u) {
+    const Vec2Of<L> p =
         blades == 0 ? sample_disk<L>(u) : sample_polygon<L>(u, blades, frame.blade_turns);
     return frame.right * (frame.lens_radius * p.x) + frame.up * (frame.lens_radius * p.y);
 }
 
 /// See ThinLensCamera::ray.
 template <class L>
-CAROM_KERNEL CameraRayOf<L> camera_ray(const CameraConstants& camera,
-                                       const Vec2<typename L::Value>& pixel,
+CAROM_KERNEL CameraRayOf<L> camera_ray(const CameraConstants& camera, const Vec2Of<L>& pixel,
                                        const CameraNumbersOf<L>& u) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     const V time = sample_trapezoid<L>(u.time, camera.switch_ratio);
     const CameraFrameOf<L> frame = frame_at<L>(camera, time);
     const PixelFilterTables& filter = camera.filter;

@@ -6,7 +6,7 @@
 /// 1 relative to its value at the pixel itself, so that features that do not vary are exactly 0.
 template <class L, int kFeatures>
 struct NormalSums {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     static constexpr int kRegressors = kFeatures + 1;
 
     V at[kRegressors * (kRegressors + 1) / 2 + 3 * kRegressors];
@@ -38,15 +38,14 @@ CAROM_KERNEL void for_constants(const Body& body) {
 
 /// Adds a neighbour of weight `w` to one row. `values`: all regressors from 1 on, then the colours.
 template <class L, int kFeatures, int kRow>
-CAROM_KERNEL void add_to_row(typename L::Value w, const typename L::Value* values,
-                             typename L::Value* sums) {
+CAROM_KERNEL void add_to_row(ValueOf<L> w, const ValueOf<L>* values, ValueOf<L>* sums) {
     if constexpr (kRow == 0) {
         sums[0] = sums[0] + w;
         for_constants<kFeatures + 3>(
             [&](auto i) CAROM_KERNEL_ATTRIBUTE { sums[i + 1] = sums[i + 1] + w * values[i]; });
     } else {
-        const typename L::Value* rest = values + kRow - 1;
-        const typename L::Value factor = w * rest[0];
+        const ValueOf<L>* rest = values + kRow - 1;
+        const ValueOf<L> factor = w * rest[0];
         for_constants<kFeatures - kRow + 4>(
             [&](auto i) CAROM_KERNEL_ATTRIBUTE { sums[i] = sums[i] + factor * rest[i]; });
     }
@@ -56,7 +55,7 @@ CAROM_KERNEL void add_to_row(typename L::Value w, const typename L::Value* value
 /// they stay in registers.
 template <class L, int kFeatures, int kFirst, int kCount>
 CAROM_KERNEL void sum_rows(const RegressionChunk& chunk, int lane, NormalSums<L, kFeatures>& sums) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     using Sums = NormalSums<L, kFeatures>;
     constexpr int kBegin = Sums::row_begin(kFirst);
     constexpr int kSize = Sums::row_begin(kFirst + kCount) - kBegin;
@@ -109,7 +108,7 @@ CAROM_KERNEL void sum_all(const RegressionChunk& chunk, int lane, NormalSums<L, 
 /// as a lamp's light, has one in proportion, so that rounding leaves every pivot positive.
 template <class L, int kFeatures>
 CAROM_KERNEL void solve(const RegressionChunk& chunk, int lane, NormalSums<L, kFeatures>& sums) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     constexpr float kLeastPivot = 1e-6f;
     const V ridge = L::load(chunk.ridge + lane);
     const V weight = sums.matrix(0, 0);
@@ -178,6 +177,6 @@ CAROM_KERNEL void regress(const RegressionChunk& chunk, int lane) {
 
 /// Whether the numbers from `index` on are the first one.
 template <class L>
-CAROM_KERNEL typename L::Mask repeats_first(const float* numbers, int index) {
+CAROM_KERNEL MaskOf<L> repeats_first(const float* numbers, int index) {
     return L::is_equal(L::load(numbers + index), L::all(numbers[0]));
 }

@@ -73,7 +73,7 @@ CAROM_KERNEL void judge_noise(const NoiseRow& row, int x) {
 /// are predictions that know nothing of B and A.
 template <class L>
 CAROM_KERNEL void estimate_errors(const ErrorRow& row, int x) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     const V one_half = L::all(0.5f);
     V noisy = L::all(0);
     V filtered = L::all(0);
@@ -109,7 +109,7 @@ CAROM_KERNEL void estimate_errors(const ErrorRow& row, int x) {
 /// chance.
 template <class L>
 CAROM_KERNEL void limit(const LimitRow& row, int x) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V enough = L::all(0.6f);
     const V mean = L::load(row.mean + x);

@@ -7,7 +7,7 @@
 /// and Zwicker 2012, "Adaptive rendering with non-local means filtering", equation 4).
 template <class L>
 CAROM_KERNEL void measure_distances(const DistanceRow& row, int x) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     constexpr float kLeastVariance = 1e-10f;
     const V bandwidth2 = L::load(row.bandwidth2 + x);
     V excess[3];
@@ -30,8 +30,8 @@ CAROM_KERNEL void measure_distances(const DistanceRow& row, int x) {
 /// rest, which is at most ln(2) / 2. Many times faster than exponential_of, which a weight need not
 /// be as exact as.
 template <class L>
-CAROM_KERNEL typename L::Value exponential_of_negative(typename L::Value x) {
-    using V = typename L::Value;
+CAROM_KERNEL ValueOf<L> exponential_of_negative(ValueOf<L> x) {
+    using V = ValueOf<L>;
     const V to_whole = L::all(0x1.8p23f);  // a float of this size has no fraction
     const V shifted = to_whole - x * L::all(1.44269504f);
     const V power = shifted - to_whole;
@@ -49,7 +49,7 @@ CAROM_KERNEL typename L::Value exponential_of_negative(typename L::Value x) {
 
 /// The distances of the pixels of a patch that lie in one column.
 template <class L>
-CAROM_KERNEL typename L::Value column_of_patch(const WeightRow& row, int x) {
+CAROM_KERNEL ValueOf<L> column_of_patch(const WeightRow& row, int x) {
     return L::load(row.distance[0] + x) + L::load(row.distance[1] + x) +
            L::load(row.distance[2] + x);
 }
@@ -57,7 +57,7 @@ CAROM_KERNEL typename L::Value column_of_patch(const WeightRow& row, int x) {
 /// exp(-max(0, d)), where d is the mean over the patch and the channels.
 template <class L>
 CAROM_KERNEL void weigh(const WeightRow& row, int x) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     constexpr float kFarthest = 20;  // a weight of 2e-9
     constexpr float kSide = 2 * kPatch + 1;
     static_assert(kPatch == 1);

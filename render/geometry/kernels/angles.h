@@ -3,12 +3,12 @@
 
 template <class L>
 struct SinCosOf {
-    typename L::Value sine, cosine;
+    ValueOf<L> sine, cosine;
 };
 
 /// |angle| <= pi/4 (rad); within 1e-7.
 template <class L>
-CAROM_KERNEL SinCosOf<L> sin_cos_eighth(typename L::Value angle) {
+CAROM_KERNEL SinCosOf<L> sin_cos_eighth(ValueOf<L> angle) {
     const auto s = angle * angle;
     const auto sine =
         angle + angle * s *
@@ -22,7 +22,7 @@ CAROM_KERNEL SinCosOf<L> sin_cos_eighth(typename L::Value angle) {
 
 /// Sine and cosine of 2 pi `turns`, |turns| <= 250; within 1e-7.
 template <class L>
-CAROM_KERNEL SinCosOf<L> sin_cos_turn(typename L::Value turns) {
+CAROM_KERNEL SinCosOf<L> sin_cos_turn(ValueOf<L> turns) {
     // The nearest quarter turn; the shift makes truncation round down.
     const auto quarter = L::to_int(L::all(4) * turns + L::all(1024.5f)) - L::all_int(1024);
     const auto rest = turns - L::all(0.25f) * L::to_value(quarter);
@@ -31,7 +31,7 @@ CAROM_KERNEL SinCosOf<L> sin_cos_turn(typename L::Value turns) {
     const auto two = L::all_int(2);
     const auto swaps = L::is_equal_int(quarter & one, one);
     // The bit that says whether the sign flips, moved to the sign bit.
-    const auto sign_from = [](typename L::Int bit) CAROM_KERNEL_ATTRIBUTE {
+    const auto sign_from = [](IntOf<L> bit) CAROM_KERNEL_ATTRIBUTE {
         return L::from_bits(L::from_word(L::template shifted_left<30>(L::to_word(bit))));
     };
     return {L::flip_sign(L::select(swaps, r.cosine, r.sine), sign_from(quarter & two)),
@@ -40,7 +40,7 @@ CAROM_KERNEL SinCosOf<L> sin_cos_turn(typename L::Value turns) {
 
 /// Sine and cosine of an angle in rad, of a few turns at most.
 template <class L>
-CAROM_KERNEL SinCosOf<L> sin_cos(typename L::Value angle) {
+CAROM_KERNEL SinCosOf<L> sin_cos(ValueOf<L> angle) {
     return sin_cos_turn<L>(angle * L::all(0.5f * kInversePi));
 }
 
@@ -48,7 +48,7 @@ CAROM_KERNEL SinCosOf<L> sin_cos(typename L::Value angle) {
 /// Taylor series of the arc tangent after a rotation by 0, pi/8 or pi/4, which leaves at most
 /// pi/16.
 template <class L>
-CAROM_KERNEL typename L::Value quick_angle(typename L::Value x, typename L::Value y) {
+CAROM_KERNEL ValueOf<L> quick_angle(ValueOf<L> x, ValueOf<L> y) {
     constexpr float kTan1 = 0.198912367f;  // tan(pi / 16)
     constexpr float kTan2 = 0.414213562f;
     constexpr float kTan3 = 0.668178638f;
@@ -73,6 +73,6 @@ CAROM_KERNEL typename L::Value quick_angle(typename L::Value x, typename L::Valu
 
 /// The angle in [0, pi] whose cosine is `cosine`, in [-1, 1]; within 3e-7.
 template <class L>
-CAROM_KERNEL typename L::Value quick_arccosine(typename L::Value cosine) {
+CAROM_KERNEL ValueOf<L> quick_arccosine(ValueOf<L> cosine) {
     return quick_angle<L>(cosine, L::root((L::all(1) - cosine) * (L::all(1) + cosine)));
 }

@@ -3,14 +3,12 @@
 /// Unit vectors with x cross y = z.
 template <class L>
 struct BasisOf {
-    Vec3<typename L::Value> x, y, z;
+    Vec3Of<L> x, y, z;
 
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> to_world(
-        const Vec3<typename L::Value>& v) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> to_world(const Vec3Of<L>& v) const {
         return x * v.x + y * v.y + z * v.z;
     }
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> from_world(
-        const Vec3<typename L::Value>& v) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> from_world(const Vec3Of<L>& v) const {
         return {dot(v, x), dot(v, y), dot(v, z)};
     }
 };
@@ -18,7 +16,7 @@ struct BasisOf {
 /// A frame around the unit vector `z`: Duff et al. 2017, "Building an orthonormal basis,
 /// revisited", listing 3; without branches and accurate for every direction.
 template <class L>
-CAROM_KERNEL BasisOf<L> basis_around(const Vec3<typename L::Value>& z) {
+CAROM_KERNEL BasisOf<L> basis_around(const Vec3Of<L>& z) {
     const auto sign = L::flip_sign(L::all(1), z.z);
     const auto a = L::all(-1) / (sign + z.z);
     const auto b = z.x * z.y * a;

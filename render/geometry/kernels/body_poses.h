@@ -5,11 +5,11 @@
 /// place in the first piece.
 template <class L, class Piece>
 struct PieceAt {
-    typename L::Int index;
+    IntOf<L> index;
     bool is_first;  // in all lanes
 
     /// The piece that is valid at a time.
-    CAROM_KERNEL PieceAt(const List<Piece>& list, typename L::Value time)
+    CAROM_KERNEL PieceAt(const List<Piece>& list, ValueOf<L> time)
         : index(L::all_int(0)), is_first(list.count() == 1) {
         const std::int32_t count = list.count();
         std::int32_t step = 1;
@@ -24,15 +24,15 @@ struct PieceAt {
     }
 
     template <class Vector>
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> vector(const Vector& of_first) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> vector(const Vector& of_first) const {
         return {place(of_first.x), place(of_first.y), place(of_first.z)};
     }
-    [[nodiscard]] CAROM_KERNEL typename L::Value place(const float& of_first) const {
+    [[nodiscard]] CAROM_KERNEL ValueOf<L> place(const float& of_first) const {
         return is_first ? L::all(of_first) : gathered(&of_first, index);
     }
 
   private:
-    CAROM_KERNEL static typename L::Value gathered(const void* of_first, typename L::Int at) {
+    CAROM_KERNEL static ValueOf<L> gathered(const void* of_first, IntOf<L> at) {
         constexpr auto kSize = static_cast<std::int32_t>(sizeof(Piece));
         return L::from_bits(L::from_word(L::gather_bytes(of_first, L::product(at, kSize))));
     }
@@ -40,8 +40,7 @@ struct PieceAt {
 
 /// Where the body's origin is.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> position_at(const MotionPieces& motion,
-                                                 typename L::Value time) {
+CAROM_KERNEL Vec3Of<L> position_at(const MotionPieces& motion, ValueOf<L> time) {
     const PieceAt<L, PathPiece> at(motion.path, time);
     const PathPiece& first = motion.path[0];
     return point_on_path<L>(at.vector(first.c[0]), at.vector(first.c[1]), at.vector(first.c[2]),
@@ -50,16 +49,15 @@ CAROM_KERNEL Vec3<typename L::Value> position_at(const MotionPieces& motion,
 
 /// `begin`, turned further by twice an angle about an axis.
 template <class L>
-CAROM_KERNEL RotationOf<L> rotation_after(const RotationOf<L>& begin,
-                                          const Vec3<typename L::Value>& axis,
-                                          typename L::Value half_angle) {
+CAROM_KERNEL RotationOf<L> rotation_after(const RotationOf<L>& begin, const Vec3Of<L>& axis,
+                                          ValueOf<L> half_angle) {
     const SinCosOf<L> since = sin_cos_turn<L>(half_angle * L::all(0.5f * kInversePi));
     return RotationOf<L>{since.cosine, axis * since.sine} * begin;
 }
 
 /// How the body is turned.
 template <class L>
-CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, typename L::Value time) {
+CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, ValueOf<L> time) {
     const PieceAt<L, RotationPiece> at(motion.turns, time);
     const RotationPiece& first = motion.turns[0];
     RotationOf<L> begin{at.place(first.world_from_body.r), at.vector(first.world_from_body.v)};
@@ -77,7 +75,7 @@ CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, typename L::V
 }
 
 template <class L>
-CAROM_KERNEL PoseOf<L> pose_at(const MotionPieces& motion, typename L::Value time) {
+CAROM_KERNEL PoseOf<L> pose_at(const MotionPieces& motion, ValueOf<L> time) {
     return {position_at<L>(motion, time), rotation_at<L>(motion, time)};
 }
 
@@ -87,23 +85,20 @@ struct BodyOf {
     bool moves, turns;
     PoseOf<L> pose;
 
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> vector(
-        const Vec3<typename L::Value>& world) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> vector(const Vec3Of<L>& world) const {
         return turns ? pose.rotation.undo(world) : world;
     }
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> point(
-        const Vec3<typename L::Value>& world) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> point(const Vec3Of<L>& world) const {
         return moves ? vector(world - pose.position) : world;
     }
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> to_world(
-        const Vec3<typename L::Value>& vector) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> to_world(const Vec3Of<L>& vector) const {
         return turns ? pose.rotation.apply(vector) : vector;
     }
 };
 
 /// `motion` without pieces: at rest.
 template <class L>
-CAROM_KERNEL BodyOf<L> body_at(const MotionPieces& motion, bool is_round, typename L::Value time) {
+CAROM_KERNEL BodyOf<L> body_at(const MotionPieces& motion, bool is_round, ValueOf<L> time) {
     const auto zero = L::all(0);
     const bool moves = motion.path.exists();
     BodyOf<L> body{

@@ -7,9 +7,9 @@
 /// the line's point nearest to the centre, and the cylinder's discriminant from the line's distance
 /// to the axis: by Lagrange's identity b^2 - a c = a - (p x d)_z^2.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_capsule(const RayOf<L>& ray, typename L::Value t_min,
-                                            typename L::Value half_length) {
-    using V = typename L::Value;
+CAROM_KERNEL DistanceOf<L> hit_unit_capsule(const RayOf<L>& ray, ValueOf<L> t_min,
+                                            ValueOf<L> half_length) {
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const Vec3<V>& d = ray.direction;
     const V length2 = dot(d, d);

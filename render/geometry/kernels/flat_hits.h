@@ -2,7 +2,7 @@
 
 /// The plane z = 0; a ray within the plane misses it.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_plane(const RayOf<L>& ray, typename L::Value t_min) {
+CAROM_KERNEL DistanceOf<L> hit_unit_plane(const RayOf<L>& ray, ValueOf<L> t_min) {
     const auto t = L::opposite_sign(ray.origin.z / ray.direction.z);
     return {t, is_finite_beyond<L>(t_min, t)};
 }
@@ -11,14 +11,14 @@ CAROM_KERNEL DistanceOf<L> hit_unit_plane(const RayOf<L>& ray, typename L::Value
 template <class L>
 struct PlanePointOf {
     DistanceOf<L> distance;
-    typename L::Value x, y;
+    ValueOf<L> x, y;
 
-    CAROM_KERNEL PlanePointOf(const RayOf<L>& ray, typename L::Value t_min)
+    CAROM_KERNEL PlanePointOf(const RayOf<L>& ray, ValueOf<L> t_min)
         : distance(hit_unit_plane<L>(ray, t_min)),
           x(ray.origin.x + ray.direction.x * distance.t),
           y(ray.origin.y + ray.direction.y * distance.t) {}
 
-    [[nodiscard]] CAROM_KERNEL DistanceOf<L> hit_where(typename L::Mask inside) const {
+    [[nodiscard]] CAROM_KERNEL DistanceOf<L> hit_where(MaskOf<L> inside) const {
         return {distance.t, L::both(inside, distance.valid)};
     }
 };
@@ -26,8 +26,8 @@ struct PlanePointOf {
 /// |x|, |y| <= 1. A one-sided rectangle (`one_sided` is not 0) is not seen by rays from below,
 /// z < 0.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_rectangle(const RayOf<L>& ray, typename L::Value t_min,
-                                              typename L::Value one_sided) {
+CAROM_KERNEL DistanceOf<L> hit_unit_rectangle(const RayOf<L>& ray, ValueOf<L> t_min,
+                                              ValueOf<L> one_sided) {
     const PlanePointOf<L> at(ray, t_min);
     const auto inside =
         L::both(L::is_at_most(L::size(at.x), L::all(1)), L::is_at_most(L::size(at.y), L::all(1)));
@@ -39,7 +39,7 @@ CAROM_KERNEL DistanceOf<L> hit_unit_rectangle(const RayOf<L>& ray, typename L::V
 /// x, y >= 0 and x + y <= 1. The edges are widened by a few roundings, so that adjacent triangles
 /// leave no gap.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_triangle(const RayOf<L>& ray, typename L::Value t_min) {
+CAROM_KERNEL DistanceOf<L> hit_unit_triangle(const RayOf<L>& ray, ValueOf<L> t_min) {
     const PlanePointOf<L> at(ray, t_min);
     const auto low = L::all(-kTriangleMargin);
     const auto high = L::all(1 + kTriangleMargin);
@@ -49,7 +49,7 @@ CAROM_KERNEL DistanceOf<L> hit_unit_triangle(const RayOf<L>& ray, typename L::Va
 
 /// x^2 + y^2 <= 1.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_disk(const RayOf<L>& ray, typename L::Value t_min) {
+CAROM_KERNEL DistanceOf<L> hit_unit_disk(const RayOf<L>& ray, ValueOf<L> t_min) {
     const PlanePointOf<L> at(ray, t_min);
     return at.hit_where(L::is_at_most(at.x * at.x + at.y * at.y, L::all(1)));
 }

@@ -6,17 +6,17 @@
 template <class L>
 struct FrustumCrossingsOf {
     enum Face { side_a, side_b, bottom, top };
-    typename L::Value t[4];     // by face
-    typename L::Mask valid[4];  // whether that point is on the solid
+    ValueOf<L> t[4];     // by face
+    MaskOf<L> valid[4];  // whether that point is on the solid
 };
 
 /// Both radii are in [0, 1], and one of them is 1. The quadratic is computed from the ray's point
 /// nearest to the centre, which is accurate far away, and solved without cancellation. At the rim
 /// side and cap are both widened by a few roundings, so that no ray slips between them.
 template <class L>
-CAROM_KERNEL FrustumCrossingsOf<L> cross_frustum(const RayOf<L>& ray, typename L::Value middle,
-                                                 typename L::Value slope) {
-    using V = typename L::Value;
+CAROM_KERNEL FrustumCrossingsOf<L> cross_frustum(const RayOf<L>& ray, ValueOf<L> middle,
+                                                 ValueOf<L> slope) {
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V one = L::all(1);
     const V margin = L::all(kFrustumMargin);
@@ -51,8 +51,8 @@ CAROM_KERNEL FrustumCrossingsOf<L> cross_frustum(const RayOf<L>& ray, typename L
 
 /// The nearest of the frustum's crossings.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_frustum(const RayOf<L>& ray, typename L::Value t_min,
-                                            typename L::Value middle, typename L::Value slope) {
+CAROM_KERNEL DistanceOf<L> hit_unit_frustum(const RayOf<L>& ray, ValueOf<L> t_min,
+                                            ValueOf<L> middle, ValueOf<L> slope) {
     using Crossings = FrustumCrossingsOf<L>;
     const Crossings crossings = cross_frustum<L>(ray, middle, slope);
     auto nearest = L::all(kInfinity);

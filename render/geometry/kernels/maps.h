@@ -4,33 +4,28 @@
 /// Part of a ray. The direction has any length except zero, and distances are in units of it.
 template <class L>
 struct RayOf {
-    Vec3<typename L::Value> origin, direction;
+    Vec3Of<L> origin, direction;
 
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> at(typename L::Value t) const {
-        return origin + direction * t;
-    }
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> at(ValueOf<L> t) const { return origin + direction * t; }
 };
 
 /// See Affine.
 template <class L>
 struct AffineOf {
-    Vec3<typename L::Value> rows[3];
-    Vec3<typename L::Value> translation;
+    Vec3Of<L> rows[3];
+    Vec3Of<L> translation;
 
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> vector(
-        const Vec3<typename L::Value>& v) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> vector(const Vec3Of<L>& v) const {
         return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z;
     }
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> point(
-        const Vec3<typename L::Value>& p) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> point(const Vec3Of<L>& p) const {
         return vector(p) + translation;
     }
     [[nodiscard]] CAROM_KERNEL RayOf<L> ray(const RayOf<L>& from) const {
         return {point(from.origin), vector(from.direction)};
     }
     /// What the inverse of this map does to a normal. The result has any length.
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> inverse_normal(
-        const Vec3<typename L::Value>& n) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> inverse_normal(const Vec3Of<L>& n) const {
         return {dot(n, rows[0]), dot(n, rows[1]), dot(n, rows[2])};
     }
 };
@@ -38,8 +33,8 @@ struct AffineOf {
 template <class L>
 CAROM_KERNEL AffineOf<L> affine_of(const Affine& map) {
     const auto row = [&](int i) CAROM_KERNEL_ATTRIBUTE {
-        return Vec3<typename L::Value>{L::all(map.linear[i][0]), L::all(map.linear[i][1]),
-                                       L::all(map.linear[i][2])};
+        return Vec3Of<L>{L::all(map.linear[i][0]), L::all(map.linear[i][1]),
+                         L::all(map.linear[i][2])};
     };
     return {{row(0), row(1), row(2)}, all_of<L>(map.translation)};
 }
@@ -47,17 +42,15 @@ CAROM_KERNEL AffineOf<L> affine_of(const Affine& map) {
 /// A rotation by the unit quaternion with the real part `real`.
 template <class L>
 struct RotationOf {
-    typename L::Value real;
-    Vec3<typename L::Value> vector;
+    ValueOf<L> real;
+    Vec3Of<L> vector;
 
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> apply(
-        const Vec3<typename L::Value>& v) const {
-        const Vec3<typename L::Value> t = cross(vector, v) * L::all(2);
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> apply(const Vec3Of<L>& v) const {
+        const Vec3Of<L> t = cross(vector, v) * L::all(2);
         return v + t * real + cross(vector, t);
     }
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> undo(
-        const Vec3<typename L::Value>& v) const {
-        const Vec3<typename L::Value> t = cross(v, vector) * L::all(2);
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> undo(const Vec3Of<L>& v) const {
+        const Vec3Of<L> t = cross(v, vector) * L::all(2);
         return v + t * real + cross(t, vector);
     }
 };
@@ -72,7 +65,7 @@ CAROM_KERNEL RotationOf<L> operator*(const RotationOf<L>& a, const RotationOf<L>
 /// Where a body is: world from body axes.
 template <class L>
 struct PoseOf {
-    Vec3<typename L::Value> position;
+    Vec3Of<L> position;
     RotationOf<L> rotation;
 
     /// A ray of the world in the axes of the body.
@@ -83,10 +76,7 @@ struct PoseOf {
 
 /// A point on a cubic piece of a path, at the time d after its start; see PathPiece.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> point_on_path(const Vec3<typename L::Value>& c0,
-                                                   const Vec3<typename L::Value>& c1,
-                                                   const Vec3<typename L::Value>& c2,
-                                                   const Vec3<typename L::Value>& c3,
-                                                   typename L::Value d) {
+CAROM_KERNEL Vec3Of<L> point_on_path(const Vec3Of<L>& c0, const Vec3Of<L>& c1, const Vec3Of<L>& c2,
+                                     const Vec3Of<L>& c3, ValueOf<L> d) {
     return c0 + (c1 + (c2 + c3 * d) * d) * d;
 }

@@ -1,13 +1,13 @@
 // Points on triangle meshes in lanes. Included as render/lanes/kernels/vectors.h is.
 
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> three_at(const float* numbers, typename L::Int index) {
+CAROM_KERNEL Vec3Of<L> three_at(const float* numbers, IntOf<L> index) {
     const auto first = index + index + index;
     const auto x_and_y = L::gather_pair(numbers, first);
     return {x_and_y.first, x_and_y.second, L::gather(numbers, first + L::all_int(2))};
 }
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> two_at(const float* numbers, typename L::Int index) {
+CAROM_KERNEL Vec2Of<L> two_at(const float* numbers, IntOf<L> index) {
     const auto both = L::gather_pair(numbers, index + index);
     return {both.first, both.second};
 }
@@ -16,10 +16,9 @@ CAROM_KERNEL Vec2<typename L::Value> two_at(const float* numbers, typename L::In
 /// its second and third corner. `needs_uv`: otherwise uv and its lengths are 0. `object_position`
 /// is left to the caller.
 template <class L>
-CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, typename L::Int triangle,
-                                             typename L::Value u, typename L::Value v,
-                                             bool needs_uv) {
-    using V = typename L::Value;
+CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, IntOf<L> triangle,
+                                             ValueOf<L> u, ValueOf<L> v, bool needs_uv) {
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V one = L::all(1);
     const auto first = triangle + triangle + triangle;

@@ -5,29 +5,29 @@
 /// where not `valid`.
 template <class L>
 struct DistanceOf {
-    typename L::Value t;
-    typename L::Mask valid;
+    ValueOf<L> t;
+    MaskOf<L> valid;
 };
 
 /// The nearer of two distances (near <= far) that is greater than t_min, for rays that meet the
 /// shape.
 template <class L>
-CAROM_KERNEL DistanceOf<L> first_beyond(typename L::Value t_min, typename L::Value near,
-                                        typename L::Value far, typename L::Mask meets) {
+CAROM_KERNEL DistanceOf<L> first_beyond(ValueOf<L> t_min, ValueOf<L> near, ValueOf<L> far,
+                                        MaskOf<L> meets) {
     const auto t = L::select(L::is_less(t_min, near), near, far);
     return {t, L::both(meets, L::is_less(t_min, t))};
 }
 
 /// Whether a distance is greater than t_min and neither infinite nor NaN.
 template <class L>
-CAROM_KERNEL typename L::Mask is_finite_beyond(typename L::Value t_min, typename L::Value t) {
+CAROM_KERNEL MaskOf<L> is_finite_beyond(ValueOf<L> t_min, ValueOf<L> t) {
     return L::both(L::is_less(t_min, t), L::is_less(t, L::all(kInfinity)));
 }
 
 /// 1 / x, with a huge finite number in place of infinity: its product with zero is zero instead of
 /// NaN.
 template <class L>
-CAROM_KERNEL typename L::Value finite_reciprocal(typename L::Value x) {
+CAROM_KERNEL ValueOf<L> finite_reciprocal(ValueOf<L> x) {
     constexpr auto kTiny = static_cast<typename L::Number>(1e-30);
     return L::all(1) / L::flip_sign(L::larger(L::size(x), L::all(kTiny)), x);
 }
@@ -35,6 +35,6 @@ CAROM_KERNEL typename L::Value finite_reciprocal(typename L::Value x) {
 /// Where a ray passes nearest to the centre of a unit shape, in units of its direction's length.
 /// Computed from there, a distance is accurate however far away the ray begins.
 template <class L>
-CAROM_KERNEL typename L::Value nearest_to_centre(const RayOf<L>& ray, typename L::Value length2) {
+CAROM_KERNEL ValueOf<L> nearest_to_centre(const RayOf<L>& ray, ValueOf<L> length2) {
     return L::opposite_sign(dot(ray.origin, ray.direction) / length2);
 }

@@ -9,8 +9,8 @@
 /// such a piece a face, an edge or a corner of the core is nearest: two, one or no axes drop out.
 template <class L>
 class RoundedBoxLineOf {
-    using V = typename L::Value;
-    using Mask = typename L::Mask;
+    using V = ValueOf<L>;
+    using Mask = MaskOf<L>;
 
   public:
     /// The line begins near the centre.
@@ -102,8 +102,8 @@ class RoundedBoxLineOf {
 };
 
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_rounded_box(const RayOf<L>& ray, typename L::Value t_min,
-                                                const Vec3<typename L::Value>& core) {
+CAROM_KERNEL DistanceOf<L> hit_unit_rounded_box(const RayOf<L>& ray, ValueOf<L> t_min,
+                                                const Vec3Of<L>& core) {
     const auto shift = nearest_to_centre<L>(ray, dot(ray.direction, ray.direction));
     const RoundedBoxLineOf<L> line({ray.at(shift), ray.direction}, core);
     const auto near = shift + line.enter();

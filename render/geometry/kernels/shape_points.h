@@ -11,10 +11,9 @@ struct TextureNeeds {
 /// The point of a sphere around `centre` that a ray hits at distance t, without the place on its
 /// texture.
 template <class L>
-CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const RayOf<L>& ray, typename L::Value t,
-                                               const Vec3<typename L::Value>& centre,
-                                               typename L::Value radius) {
-    const Vec3<typename L::Value> normal = unit<L>((ray.origin - centre) + ray.direction * t);
+CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const RayOf<L>& ray, ValueOf<L> t,
+                                               const Vec3Of<L>& centre, ValueOf<L> radius) {
+    const Vec3Of<L> normal = unit<L>((ray.origin - centre) + ray.direction * t);
     SurfacePointOf<L> point;
     point.position = centre + normal * radius;
     point.geometric_normal = normal;
@@ -25,9 +24,9 @@ CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const RayOf<L>& ray, typename L::
 
 /// Sets the place on a sphere's texture. `arm`: from the centre to the point, in the body's axes.
 template <class L>
-CAROM_KERNEL void set_place_on_sphere(const AffineOf<L>& metres_from_body,
-                                      const Vec3<typename L::Value>& arm, typename L::Value radius,
-                                      TextureNeeds needs, SurfacePointOf<L>& point) {
+CAROM_KERNEL void set_place_on_sphere(const AffineOf<L>& metres_from_body, const Vec3Of<L>& arm,
+                                      ValueOf<L> radius, TextureNeeds needs,
+                                      SurfacePointOf<L>& point) {
     if (needs.position) {
         point.object_position = metres_from_body.vector(arm);
     }
@@ -39,8 +38,7 @@ CAROM_KERNEL void set_place_on_sphere(const AffineOf<L>& metres_from_body,
 }
 
 template <class L>
-CAROM_KERNEL void set_uv(const Vec2<typename L::Value>& uv, const Vec2<typename L::Value>& metres,
-                         SurfacePointOf<L>& point) {
+CAROM_KERNEL void set_uv(const Vec2Of<L>& uv, const Vec2Of<L>& metres, SurfacePointOf<L>& point) {
     point.uv = uv;
     point.uv_metres = metres;
     point.uv_per_metre = L::all(1) / L::root(metres.x * metres.y);
@@ -48,9 +46,9 @@ CAROM_KERNEL void set_uv(const Vec2<typename L::Value>& uv, const Vec2<typename 
 
 /// The point of a box at rest along the world's axes.
 template <class L>
-CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, typename L::Value t,
-                                                    const Vec3<typename L::Value>& centre,
-                                                    const Vec3<typename L::Value>& half_size,
+CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, ValueOf<L> t,
+                                                    const Vec3Of<L>& centre,
+                                                    const Vec3Of<L>& half_size,
                                                     TextureNeeds needs) {
     const FacePointOf<L> face = point_on_box<L>({ray.origin - centre, ray.direction}, t, half_size);
     SurfacePointOf<L> point;
@@ -60,8 +58,8 @@ CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, typenam
     clear_texture_place<L>(point);
     point.object_position = face.position;
     if (needs.uv) {
-        const Vec2<typename L::Value> place = along_face<L>(face, face.position);
-        const Vec2<typename L::Value> sides = along_face<L>(face, half_size);
+        const Vec2Of<L> place = along_face<L>(face, face.position);
+        const Vec2Of<L> sides = along_face<L>(face, half_size);
         set_uv<L>(across_square<L>(place.x / sides.x, place.y / sides.y),
                   {L::all(2) * sides.x, L::all(2) * sides.y}, point);
     }
@@ -72,15 +70,15 @@ CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, typenam
 template <class L>
 struct MappedShapeOf {
     AffineOf<L> unit_from_body, body_from_unit;
-    AffineOf<L> metres_from_body;        // only for textures
-    Vec3<typename L::Value> half_size;   // lengths of the unit shape's axes, m; only for uv
-    Vec3<typename L::Value> parameters;  // see UnitHitOf
+    AffineOf<L> metres_from_body;  // only for textures
+    Vec3Of<L> half_size;           // lengths of the unit shape's axes, m; only for uv
+    Vec3Of<L> parameters;          // see UnitHitOf
 };
 
 /// The point of a unit shape that a ray hits; ray and point in the axes of the body.
 template <class L>
 CAROM_KERNEL SurfacePointOf<L> point_on_shape(ShapeKind kind, const MappedShapeOf<L>& shape,
-                                              const RayOf<L>& ray, typename L::Value t,
+                                              const RayOf<L>& ray, ValueOf<L> t,
                                               TextureNeeds needs) {
     const UnitPointOf<L> on_unit = on_unit_shape<L>(
         kind, {shape.unit_from_body.ray(ray), t, shape.parameters, shape.half_size, needs.uv});

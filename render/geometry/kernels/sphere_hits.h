@@ -7,9 +7,8 @@
 /// A sphere with its centre at `to_centre` from the ray's origin; the direction has unit length. No
 /// ray hits a sphere with a negative squared radius.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_sphere(const Vec3<typename L::Value>& to_centre,
-                                      const Vec3<typename L::Value>& direction,
-                                      typename L::Value radius2, typename L::Value t_min) {
+CAROM_KERNEL DistanceOf<L> hit_sphere(const Vec3Of<L>& to_centre, const Vec3Of<L>& direction,
+                                      ValueOf<L> radius2, ValueOf<L> t_min) {
     const auto along = dot(to_centre, direction);
     const auto beside = to_centre - direction * along;
     const auto discriminant = radius2 - dot(beside, beside);
@@ -23,7 +22,7 @@ CAROM_KERNEL DistanceOf<L> hit_sphere(const Vec3<typename L::Value>& to_centre,
 
 /// |p| <= 1, for directions of any length.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_sphere(const RayOf<L>& ray, typename L::Value t_min) {
+CAROM_KERNEL DistanceOf<L> hit_unit_sphere(const RayOf<L>& ray, ValueOf<L> t_min) {
     const auto inverse_length2 = L::all(1) / dot(ray.direction, ray.direction);
     const auto along = L::opposite_sign(dot(ray.origin, ray.direction) * inverse_length2);
     const auto beside = ray.at(along);

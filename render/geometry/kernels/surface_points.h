@@ -4,11 +4,11 @@
 /// See SurfacePoint.
 template <class L>
 struct SurfacePointOf {
-    Vec3<typename L::Value> position, geometric_normal, shading_normal;
-    Vec3<typename L::Value> object_position;
-    Vec2<typename L::Value> uv;
-    typename L::Value uv_per_metre;
-    Vec2<typename L::Value> uv_metres;
+    Vec3Of<L> position, geometric_normal, shading_normal;
+    Vec3Of<L> object_position;
+    Vec2Of<L> uv;
+    ValueOf<L> uv_per_metre;
+    Vec2Of<L> uv_metres;
 };
 
 /// Of a surface without a texture.
@@ -23,7 +23,7 @@ CAROM_KERNEL void clear_texture_place(SurfacePointOf<L>& point) {
 
 /// u is the longitude from +x over +y, v the latitude from -z to +z; both run from 0 to 1.
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> longitude_latitude(const Vec3<typename L::Value>& p) {
+CAROM_KERNEL Vec2Of<L> longitude_latitude(const Vec3Of<L>& p) {
     const auto zero = L::all(0);
     const auto turns = quick_angle<L>(p.x, p.y) * L::all(1 / kTurn);
     const auto cosine = limited<L>(p.z / L::root(dot(p, p)), -1, 1);
@@ -34,18 +34,18 @@ CAROM_KERNEL Vec2<typename L::Value> longitude_latitude(const Vec3<typename L::V
 
 template <class L>
 struct FacePointOf {
-    Vec3<typename L::Value> position;
-    Vec3<typename L::Value> normal;
-    typename L::Mask is_x, is_z;  // the face's axis, otherwise y
+    Vec3Of<L> position;
+    Vec3Of<L> normal;
+    MaskOf<L> is_x, is_z;  // the face's axis, otherwise y
 };
 
 /// Where a ray hits the box |p| <= half_size at distance t, moved onto the face: of the three faces
 /// through which a ray from outside can enter, or leave from inside, the one that the point lies
 /// farthest beyond.
 template <class L>
-CAROM_KERNEL FacePointOf<L> point_on_box(const RayOf<L>& ray, typename L::Value t,
-                                         const Vec3<typename L::Value>& half_size) {
-    using V = typename L::Value;
+CAROM_KERNEL FacePointOf<L> point_on_box(const RayOf<L>& ray, ValueOf<L> t,
+                                         const Vec3Of<L>& half_size) {
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const Vec3<V>& origin = ray.origin;
     const Vec3<V>& direction = ray.direction;
@@ -63,7 +63,7 @@ CAROM_KERNEL FacePointOf<L> point_on_box(const RayOf<L>& ray, typename L::Value 
     const auto is_x = L::both(L::is_at_most(out.y, out.x), L::is_at_most(out.z, out.x));
     const auto is_z = L::both(L::opposite(is_x), L::is_less(out.y, out.z));
     const auto is_y = L::opposite(L::either(is_x, is_z));
-    const auto place = [&](V x, V limit, V sign, typename L::Mask is_face) CAROM_KERNEL_ATTRIBUTE {
+    const auto place = [&](V x, V limit, V sign, MaskOf<L> is_face) CAROM_KERNEL_ATTRIBUTE {
         return L::select(is_face, sign * limit,
                          L::larger(L::opposite_sign(limit), L::smaller(x, limit)));
     };
@@ -78,16 +78,14 @@ CAROM_KERNEL FacePointOf<L> point_on_box(const RayOf<L>& ray, typename L::Value 
 /// Of a vector in the box's axes, the two parts along a face: after x come y and z, after y z and
 /// x, after z x and y.
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> along_face(const FacePointOf<L>& face,
-                                                const Vec3<typename L::Value>& v) {
+CAROM_KERNEL Vec2Of<L> along_face(const FacePointOf<L>& face, const Vec3Of<L>& v) {
     return {L::select(face.is_x, v.y, L::select(face.is_z, v.x, v.z)),
             L::select(face.is_x, v.z, L::select(face.is_z, v.y, v.x))};
 }
 
 /// Distance by which the next ray must start off the surface, m.
 template <class L>
-CAROM_KERNEL typename L::Value offset_at(const Vec3<typename L::Value>& position,
-                                         typename L::Value bounding_radius) {
+CAROM_KERNEL ValueOf<L> offset_at(const Vec3Of<L>& position, ValueOf<L> bounding_radius) {
     const auto size =
         L::larger(L::larger(L::size(position.x), L::size(position.y)), L::size(position.z));
     return L::all(kOffsetFraction) * (size + bounding_radius);

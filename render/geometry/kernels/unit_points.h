@@ -5,29 +5,29 @@
 template <class L>
 struct UnitHitOf {
     RayOf<L> ray;  // in the axes of the unit shape
-    typename L::Value t;
-    Vec3<typename L::Value> parameters;  // what an affine map cannot produce (shape_list.h)
-    Vec3<typename L::Value> half_size;   // lengths of the unit shape's axes, m; only for uv
+    ValueOf<L> t;
+    Vec3Of<L> parameters;  // what an affine map cannot produce (shape_list.h)
+    Vec3Of<L> half_size;   // lengths of the unit shape's axes, m; only for uv
     bool needs_uv;
 };
 
 /// A point on a unit shape. Without `needs_uv`, uv and its lengths are 0.
 template <class L>
 struct UnitPointOf {
-    Vec3<typename L::Value> position;
-    Vec3<typename L::Value> normal;  // outwards, of any length
-    Vec2<typename L::Value> uv;
-    Vec2<typename L::Value> uv_metres;  // lengths over which u and v grow by 1, m
+    Vec3Of<L> position;
+    Vec3Of<L> normal;  // outwards, of any length
+    Vec2Of<L> uv;
+    Vec2Of<L> uv_metres;  // lengths over which u and v grow by 1, m
 };
 
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> no_uv() {
+CAROM_KERNEL Vec2Of<L> no_uv() {
     return {L::all(0), L::all(0)};
 }
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_sphere(const UnitHitOf<L>& hit) {
-    const Vec3<typename L::Value> n = unit<L>(hit.ray.at(hit.t));
+    const Vec3Of<L> n = unit<L>(hit.ray.at(hit.t));
     UnitPointOf<L> point{n, n, no_uv<L>(), no_uv<L>()};
     if (hit.needs_uv) {
         point.uv = longitude_latitude<L>(n);
@@ -42,8 +42,8 @@ CAROM_KERNEL UnitPointOf<L> on_unit_box(const UnitHitOf<L>& hit) {
     const FacePointOf<L> face = point_on_box<L>(hit.ray, hit.t, {one, one, one});
     UnitPointOf<L> point{face.position, face.normal, no_uv<L>(), no_uv<L>()};
     if (hit.needs_uv) {
-        const Vec2<typename L::Value> place = along_face<L>(face, face.position);
-        const Vec2<typename L::Value> sides = along_face<L>(face, hit.half_size);
+        const Vec2Of<L> place = along_face<L>(face, face.position);
+        const Vec2Of<L> sides = along_face<L>(face, hit.half_size);
         point.uv = {L::all(0.5f) * (place.x + one), L::all(0.5f) * (place.y + one)};
         point.uv_metres = {sides.x * L::all(2), sides.y * L::all(2)};
     }
@@ -52,9 +52,8 @@ CAROM_KERNEL UnitPointOf<L> on_unit_box(const UnitHitOf<L>& hit) {
 
 /// A point of the plane z = 0. `uv_length`: over which u and v grow by 1, in units of the shape.
 template <class L>
-CAROM_KERNEL UnitPointOf<L> on_flat_shape(const UnitHitOf<L>& hit, typename L::Value x,
-                                          typename L::Value y, const Vec2<typename L::Value>& uv,
-                                          float uv_length) {
+CAROM_KERNEL UnitPointOf<L> on_flat_shape(const UnitHitOf<L>& hit, ValueOf<L> x, ValueOf<L> y,
+                                          const Vec2Of<L>& uv, float uv_length) {
     const auto zero = L::all(0);
     return {{x, y, zero},
             {zero, zero, L::all(1)},
@@ -64,19 +63,19 @@ CAROM_KERNEL UnitPointOf<L> on_flat_shape(const UnitHitOf<L>& hit, typename L::V
 
 /// uv across the square |x|, |y| <= 1.
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> across_square(typename L::Value x, typename L::Value y) {
+CAROM_KERNEL Vec2Of<L> across_square(ValueOf<L> x, ValueOf<L> y) {
     return {L::all(0.5f) * (x + L::all(1)), L::all(0.5f) * (y + L::all(1))};
 }
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_plane(const UnitHitOf<L>& hit) {
-    const Vec3<typename L::Value> p = hit.ray.at(hit.t);
+    const Vec3Of<L> p = hit.ray.at(hit.t);
     return on_flat_shape<L>(hit, p.x, p.y, {p.x, p.y}, 1);
 }
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_rectangle(const UnitHitOf<L>& hit) {
-    const Vec3<typename L::Value> p = hit.ray.at(hit.t);
+    const Vec3Of<L> p = hit.ray.at(hit.t);
     const auto x = limited<L>(p.x, -1, 1);
     const auto y = limited<L>(p.y, -1, 1);
     return on_flat_shape<L>(hit, x, y, across_square<L>(x, y), 2);
@@ -84,7 +83,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_rectangle(const UnitHitOf<L>& hit) {
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_triangle(const UnitHitOf<L>& hit) {
-    const Vec3<typename L::Value> p = hit.ray.at(hit.t);
+    const Vec3Of<L> p = hit.ray.at(hit.t);
     const auto x = limited<L>(p.x, 0, 1);
     const auto y = L::smaller(L::larger(p.y, L::all(0)), L::all(1) - x);
     return on_flat_shape<L>(hit, x, y, {x, y}, 1);
@@ -92,7 +91,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_triangle(const UnitHitOf<L>& hit) {
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_disk(const UnitHitOf<L>& hit) {
-    const Vec3<typename L::Value> p = hit.ray.at(hit.t);
+    const Vec3Of<L> p = hit.ray.at(hit.t);
     const auto from_centre = L::larger(L::all(1), L::root(p.x * p.x + p.y * p.y));
     const auto x = p.x / from_centre;
     const auto y = p.y / from_centre;
@@ -103,7 +102,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_disk(const UnitHitOf<L>& hit) {
 /// nearest to t.
 template <class L>
 struct FrustumFaceOf {
-    typename L::Mask is_top, is_cap;
+    MaskOf<L> is_top, is_cap;
 
     CAROM_KERNEL explicit FrustumFaceOf(const UnitHitOf<L>& hit) {
         using Crossings = FrustumCrossingsOf<L>;
@@ -125,7 +124,7 @@ struct FrustumFaceOf {
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V one = L::all(1);
     const V slope = hit.parameters.y;
@@ -163,7 +162,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
 /// along the surface from the lower pole to the upper one, over the whole length.
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_capsule(const UnitHitOf<L>& hit) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V half_length = hit.parameters.x;
     const Vec3<V> p = hit.ray.at(hit.t);
@@ -185,7 +184,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_capsule(const UnitHitOf<L>& hit) {
 /// the side that the normal faces most.
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_rounded_box(const UnitHitOf<L>& hit) {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     const V one = L::all(1);
     const Vec3<V>& core = hit.parameters;
     const Vec3<V> p = hit.ray.at(hit.t);

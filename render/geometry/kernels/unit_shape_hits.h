@@ -4,13 +4,13 @@
 /// What distinguishes unit shapes of the same kind.
 template <class L>
 struct UnitFormOf {
-    Vec3<typename L::Value> parameters;  // what an affine map cannot produce (shape_list.h)
-    typename L::Value one_sided;         // rectangles: not 0 if rays from below pass
+    Vec3Of<L> parameters;  // what an affine map cannot produce (shape_list.h)
+    ValueOf<L> one_sided;  // rectangles: not 0 if rays from below pass
 };
 
 /// The first hit beyond t_min >= 0 of a ray in the axes of the unit shape.
 template <ShapeKind kKind, class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_shape(const RayOf<L>& ray, typename L::Value t_min,
+CAROM_KERNEL DistanceOf<L> hit_unit_shape(const RayOf<L>& ray, ValueOf<L> t_min,
                                           const UnitFormOf<L>& form) {
     if constexpr (kKind == ShapeKind::sphere) {
         return hit_unit_sphere<L>(ray, t_min);

@@ -3,7 +3,7 @@
 /// The `k`th of `n` well-spread points, each uniform if `u` is: a lattice shifted by `u` (Cranley
 /// and Patterson 1976, "Randomization of number theoretic methods for multiple integration").
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> lattice_point(const Vec2<typename L::Value>& u, int k, int n) {
+CAROM_KERNEL Vec2Of<L> lattice_point(const Vec2Of<L>& u, int k, int n) {
     if (n == 1) {
         return u;
     }

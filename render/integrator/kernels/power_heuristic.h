@@ -3,7 +3,7 @@
 /// Weight of a sample made with density `pdf` when another strategy makes the same sample with
 /// density `other`: the power heuristic with exponent 2 (Veach 1997, section 9.2.4).
 template <class L>
-CAROM_KERNEL typename L::Value power_heuristic(typename L::Value pdf, typename L::Value other) {
+CAROM_KERNEL ValueOf<L> power_heuristic(ValueOf<L> pdf, ValueOf<L> other) {
     const auto ratio = other / pdf;
     return L::all(1) / (L::all(1) + ratio * ratio);
 }

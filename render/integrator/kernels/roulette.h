@@ -2,6 +2,6 @@
 
 /// The probability with which a path of this throughput continues from kRouletteVertex on.
 template <class L>
-CAROM_KERNEL typename L::Value survival_of(const Vec3<typename L::Value>& throughput) {
+CAROM_KERNEL ValueOf<L> survival_of(const Vec3Of<L>& throughput) {
     return limited<L>(largest<L>(throughput), kLeastSurvival, 1);
 }

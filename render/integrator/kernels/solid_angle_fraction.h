@@ -4,11 +4,9 @@
 /// of radius and distance), times its gain; 0 if the whole sphere lies below the horizon of
 /// `normal`.
 template <class L>
-CAROM_KERNEL typename L::Value solid_angle_fraction(const Vec3<typename L::Value>& to_sphere,
-                                                    const Vec3<typename L::Value>& normal,
-                                                    typename L::Number bounding_radius,
-                                                    typename L::Number radius2,
-                                                    typename L::Number gain) {
+CAROM_KERNEL ValueOf<L> solid_angle_fraction(const Vec3Of<L>& to_sphere, const Vec3Of<L>& normal,
+                                             typename L::Number bounding_radius,
+                                             typename L::Number radius2, typename L::Number gain) {
     const auto height = dot(to_sphere, normal) + L::all(bounding_radius);
     const auto share = L::all(0.25F) * L::all(radius2) /
                        L::larger(dot(to_sphere, to_sphere), L::all(radius2)) * L::all(gain);

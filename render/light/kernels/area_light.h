@@ -5,15 +5,14 @@
 /// with the density `pdf`. It differs from 1 only for a light without falloff, which gives every
 /// point the irradiance pi x radiance x the mean cosine towards the light.
 template <class L>
-CAROM_KERNEL typename L::Value gain_of_area_light(const AreaLightConstants& light,
-                                                  typename L::Value pdf) {
+CAROM_KERNEL ValueOf<L> gain_of_area_light(const AreaLightConstants& light, ValueOf<L> pdf) {
     return light.has_falloff ? L::all(1) : L::all(kPi) * pdf;
 }
 
 /// Cosine towards a light's centre for an importance estimate; 0 if the whole light lies below the
 /// horizon. `sine`: the light's radius over the distance.
 template <class L>
-CAROM_KERNEL typename L::Value surface_cosine(typename L::Value cosine, typename L::Value sine) {
+CAROM_KERNEL ValueOf<L> surface_cosine(ValueOf<L> cosine, ValueOf<L> sine) {
     return L::select(L::is_at_most(cosine + sine, L::all(0)), L::all(0),
                      L::larger(cosine, L::all(kLeastHorizonCosine)));
 }
@@ -21,17 +20,17 @@ CAROM_KERNEL typename L::Value surface_cosine(typename L::Value cosine, typename
 /// A point on a light, sampled by area, for connections that are reflected on the way.
 template <class L>
 struct LightPointOf {
-    Vec3<typename L::Value> position;
-    Vec3<typename L::Value> normal;  // unit, of the area that the point was chosen on, on the side
-                                     // of the receiver
-    typename L::Value pdf;           // 1/m^2, > 0
+    Vec3Of<L> position;
+    Vec3Of<L> normal;  // unit, of the area that the point was chosen on, on the side
+                       // of the receiver
+    ValueOf<L> pdf;    // 1/m^2, > 0
 };
 
 /// One-sided rectangle, sampled uniformly by area. (Uniform sampling of its solid angle costs more
 /// than it gains for lamps a metre above a table.)
 template <class L>
 struct RectangleLightOf {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     const AreaLightConstants& light;
 
     CAROM_KERNEL Vec3<V> point_at(const Vec2<V>& u) const {
@@ -82,7 +81,7 @@ struct RectangleLightOf {
                                               const Vec2<V>& u) const {
         return {point_at(u), all_of<L>(light.normal), L::all(1 / light.area)};
     }
-    CAROM_KERNEL typename L::Mask can_sample_point(V distance, V /*receiver_radius*/) const {
+    CAROM_KERNEL MaskOf<L> can_sample_point(V distance, V /*receiver_radius*/) const {
         return L::is_less(L::all(0), distance);
     }
     CAROM_KERNEL V distance_along(const Vec3<V>& /*origin*/, const Vec3<V>& /*direction*/,
@@ -95,7 +94,7 @@ struct RectangleLightOf {
 /// within.
 template <class L>
 struct SphereLightOf {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
     const AreaLightConstants& light;
 
     CAROM_KERNEL LightSampleOf<L> sample(const Vec3<V>& point, const Vec2<V>& u) const {
@@ -156,7 +155,7 @@ struct SphereLightOf {
         return {centre + basis.x * (place.x * disk) + basis.y * (place.y * disk), basis.z,
                 L::all(1) / (L::all(kPi) * disk * disk)};
     }
-    CAROM_KERNEL typename L::Mask can_sample_point(V distance, V receiver_radius) const {
+    CAROM_KERNEL MaskOf<L> can_sample_point(V distance, V receiver_radius) const {
         // The bound keeps the disk from growing without limit.
         constexpr float kWidestSine = 0.9f;
         return L::is_less(receiver_radius + L::all(light.radius), L::all(kWidestSine) * distance);
@@ -185,18 +184,15 @@ CAROM_KERNEL auto by_kind(const AreaLightConstants& light, const Visit& visit) {
 /// Not valid behind a one-sided light or within a closed one.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_area_light(const AreaLightConstants& light,
-                                                const Vec3<typename L::Value>& point,
-                                                const Vec2<typename L::Value>& u) {
+                                                const Vec3Of<L>& point, const Vec2Of<L>& u) {
     return by_kind<L>(light, [&](const auto& formulas)
                                  CAROM_KERNEL_ATTRIBUTE { return formulas.sample(point, u); });
 }
 
 /// Density of the samples (1/sr) for a direction that hits the light at `distance`.
 template <class L>
-CAROM_KERNEL typename L::Value pdf_of_area_light(const AreaLightConstants& light,
-                                                 const Vec3<typename L::Value>& point,
-                                                 const Vec3<typename L::Value>& direction,
-                                                 typename L::Value distance) {
+CAROM_KERNEL ValueOf<L> pdf_of_area_light(const AreaLightConstants& light, const Vec3Of<L>& point,
+                                          const Vec3Of<L>& direction, ValueOf<L> distance) {
     return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
         return formulas.pdf(point, direction, distance);
     });
@@ -204,9 +200,8 @@ CAROM_KERNEL typename L::Value pdf_of_area_light(const AreaLightConstants& light
 
 /// Estimate of the unoccluded light at a surface. It is 0 only where nothing arrives.
 template <class L>
-CAROM_KERNEL typename L::Value importance_of_area_light(const AreaLightConstants& light,
-                                                        const Vec3<typename L::Value>& point,
-                                                        const Vec3<typename L::Value>& normal) {
+CAROM_KERNEL ValueOf<L> importance_of_area_light(const AreaLightConstants& light,
+                                                 const Vec3Of<L>& point, const Vec3Of<L>& normal) {
     return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
         return formulas.importance(point, normal);
     });
@@ -214,8 +209,8 @@ CAROM_KERNEL typename L::Value importance_of_area_light(const AreaLightConstants
 
 /// Radiance towards `direction`, which points away from the light.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> emitted_by_area_light(
-    const AreaLightConstants& light, const Vec3<typename L::Value>& direction) {
+CAROM_KERNEL Vec3Of<L> emitted_by_area_light(const AreaLightConstants& light,
+                                             const Vec3Of<L>& direction) {
     const auto shines = L::is_less(L::all(0), dot(direction, all_of<L>(light.normal)));
     return all_of<L>(light.radiance) *
            (light.is_one_sided ? L::select(shines, L::all(1), L::all(0)) : L::all(1));
@@ -225,9 +220,9 @@ CAROM_KERNEL Vec3<typename L::Value> emitted_by_area_light(
 /// `can_sample_point_of_area_light` holds.
 template <class L>
 CAROM_KERNEL LightPointOf<L> sample_point_of_area_light(const AreaLightConstants& light,
-                                                        const Vec3<typename L::Value>& receiver,
-                                                        typename L::Value receiver_radius,
-                                                        const Vec2<typename L::Value>& u) {
+                                                        const Vec3Of<L>& receiver,
+                                                        ValueOf<L> receiver_radius,
+                                                        const Vec2Of<L>& u) {
     return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
         return formulas.sample_point(receiver, receiver_radius, u);
     });
@@ -236,9 +231,9 @@ CAROM_KERNEL LightPointOf<L> sample_point_of_area_light(const AreaLightConstants
 /// Whether a receiver with its centre at `distance` from the light's leaves room for the area from
 /// which points are sampled.
 template <class L>
-CAROM_KERNEL typename L::Mask can_sample_point_of_area_light(const AreaLightConstants& light,
-                                                             typename L::Value distance,
-                                                             typename L::Value receiver_radius) {
+CAROM_KERNEL MaskOf<L> can_sample_point_of_area_light(const AreaLightConstants& light,
+                                                      ValueOf<L> distance,
+                                                      ValueOf<L> receiver_radius) {
     return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
         return formulas.can_sample_point(distance, receiver_radius);
     });
@@ -247,10 +242,9 @@ CAROM_KERNEL typename L::Mask can_sample_point_of_area_light(const AreaLightCons
 /// Distance to the light along a ray towards a sampled point, which is `to_point` away; negative if
 /// the ray misses the light.
 template <class L>
-CAROM_KERNEL typename L::Value distance_to_area_light(const AreaLightConstants& light,
-                                                      const Vec3<typename L::Value>& origin,
-                                                      const Vec3<typename L::Value>& direction,
-                                                      typename L::Value to_point) {
+CAROM_KERNEL ValueOf<L> distance_to_area_light(const AreaLightConstants& light,
+                                               const Vec3Of<L>& origin, const Vec3Of<L>& direction,
+                                               ValueOf<L> to_point) {
     return by_kind<L>(light, [&](const auto& formulas) CAROM_KERNEL_ATTRIBUTE {
         return formulas.distance_along(origin, direction, to_point);
     });

@@ -4,10 +4,9 @@
 
 /// 0 only where the whole object lies below the horizon. The orientation of its faces is left out.
 template <class L>
-CAROM_KERNEL typename L::Value importance_of_object(const ObjectImportance& object,
-                                                    const Vec3<typename L::Value>& point,
-                                                    const Vec3<typename L::Value>& normal) {
-    const Vec3<typename L::Value> to_light = all_of<L>(object.centre) - point;
+CAROM_KERNEL ValueOf<L> importance_of_object(const ObjectImportance& object, const Vec3Of<L>& point,
+                                             const Vec3Of<L>& normal) {
+    const Vec3Of<L> to_light = all_of<L>(object.centre) - point;
     const auto distance2 = L::larger(dot(to_light, to_light), L::all(1e-12f));
     const auto distance = L::root(distance2);
     const auto cosine = dot(to_light, normal) / distance;
@@ -20,9 +19,8 @@ CAROM_KERNEL typename L::Value importance_of_object(const ObjectImportance& obje
 }
 
 template <class L>
-CAROM_KERNEL typename L::Value importance_of_shape(const EmissiveShapeConstants& shape,
-                                                   const Vec3<typename L::Value>& point,
-                                                   const Vec3<typename L::Value>& normal) {
+CAROM_KERNEL ValueOf<L> importance_of_shape(const EmissiveShapeConstants& shape,
+                                            const Vec3Of<L>& point, const Vec3Of<L>& normal) {
     return shape.kind == EmissiveShapeConstants::Kind::sphere
                ? SphereLightOf<L>{shape.sphere}.importance(point, normal)
                : importance_of_object<L>(shape.importance, point, normal);
@@ -31,21 +29,20 @@ CAROM_KERNEL typename L::Value importance_of_shape(const EmissiveShapeConstants&
 /// A point of a unit shape's surface.
 template <class L>
 struct UnitSampleOf {
-    Vec3<typename L::Value> position;
-    Vec3<typename L::Value> normal;  // unit, outward
-    typename L::Value density;       // per area of the unit shape, if the point faces the receiver
+    Vec3Of<L> position;
+    Vec3Of<L> normal;    // unit, outward
+    ValueOf<L> density;  // per area of the unit shape, if the point faces the receiver
 };
 
 /// A part of the surface in each lane, and the number that chose it, used again.
 template <class L>
 struct PartOf {
-    typename L::Mask is_part[EmissiveShapeConstants::kMostParts];
-    typename L::Value density, rest;
+    MaskOf<L> is_part[EmissiveShapeConstants::kMostParts];
+    ValueOf<L> density, rest;
 };
 
 template <class L>
-CAROM_KERNEL PartOf<L> choose_part(const EmissiveShapeConstants& shape, int count,
-                                   typename L::Value u) {
+CAROM_KERNEL PartOf<L> choose_part(const EmissiveShapeConstants& shape, int count, ValueOf<L> u) {
     PartOf<L> part;
     auto is_open = L::is_at_most(L::all(0), u);  // always true
     part.density = L::all(1);
@@ -69,8 +66,8 @@ CAROM_KERNEL PartOf<L> choose_part(const EmissiveShapeConstants& shape, int coun
 /// The parts of a frustum: side, top, bottom.
 template <class L>
 CAROM_KERNEL UnitSampleOf<L> sample_unit_frustum(const EmissiveShapeConstants& shape,
-                                                 const Vec2<typename L::Value>& u) {
-    using V = typename L::Value;
+                                                 const Vec2Of<L>& u) {
+    using V = ValueOf<L>;
     const float middle = shape.parameters.x;
     const float slope = shape.parameters.y;
     const PartOf<L> part = choose_part<L>(shape, 3, u.x);
@@ -97,8 +94,8 @@ CAROM_KERNEL UnitSampleOf<L> sample_unit_frustum(const EmissiveShapeConstants& s
 /// y and z (cylinders), faces across x, y and z.
 template <class L>
 CAROM_KERNEL UnitSampleOf<L> sample_unit_rounded(const EmissiveShapeConstants& shape,
-                                                 const Vec2<typename L::Value>& u) {
-    using V = typename L::Value;
+                                                 const Vec2Of<L>& u) {
+    using V = ValueOf<L>;
     const PartOf<L> part = choose_part<L>(shape, 7, u.x);
     const SinCosOf<L> angle = sin_cos_turn<L>(u.y);
     const V zero = L::all(0);
@@ -144,9 +141,8 @@ CAROM_KERNEL UnitSampleOf<L> sample_unit_rounded(const EmissiveShapeConstants& s
 /// A direction towards a point of the surface: uniform by area in each part.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_shape_by_area(const EmissiveShapeConstants& shape,
-                                                   const Vec3<typename L::Value>& point,
-                                                   const Vec2<typename L::Value>& u) {
-    using V = typename L::Value;
+                                                   const Vec3Of<L>& point, const Vec2Of<L>& u) {
+    using V = ValueOf<L>;
     using Kind = EmissiveShapeConstants::Kind;
     const AffineOf<L> unit_from_body = affine_of<L>(shape.unit_from_body);
     UnitSampleOf<L> found;
@@ -181,7 +177,7 @@ CAROM_KERNEL LightSampleOf<L> sample_shape_by_area(const EmissiveShapeConstants&
 
 /// 1 / sr in the axes of the unit sphere, for a point outside.
 template <class L>
-CAROM_KERNEL typename L::Value unit_cone(const Vec3<typename L::Value>& point) {
+CAROM_KERNEL ValueOf<L> unit_cone(const Vec3Of<L>& point) {
     return one_minus_cos_of_sphere<L>(L::all(1), L::root(dot(point, point)));
 }
 
@@ -189,9 +185,8 @@ CAROM_KERNEL typename L::Value unit_cone(const Vec3<typename L::Value>& point) {
 /// grow by the determinant over the cube of the length to which the map stretches the direction.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_ellipsoid(const EmissiveShapeConstants& shape,
-                                               const Vec3<typename L::Value>& point,
-                                               const Vec2<typename L::Value>& u) {
-    using V = typename L::Value;
+                                               const Vec3Of<L>& point, const Vec2Of<L>& u) {
+    using V = ValueOf<L>;
     AreaLightConstants sphere;
     sphere.radius = 1;
     const LightSampleOf<L> found =
@@ -206,8 +201,7 @@ CAROM_KERNEL LightSampleOf<L> sample_ellipsoid(const EmissiveShapeConstants& sha
 /// Not valid within the shape, on its surface, and where the sampled point faces away.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_shape(const EmissiveShapeConstants& shape,
-                                           const Vec3<typename L::Value>& point,
-                                           const Vec2<typename L::Value>& u) {
+                                           const Vec3Of<L>& point, const Vec2Of<L>& u) {
     using Kind = EmissiveShapeConstants::Kind;
     LightSampleOf<L> found;
     if (shape.kind == Kind::sphere) {
@@ -224,12 +218,10 @@ CAROM_KERNEL LightSampleOf<L> sample_shape(const EmissiveShapeConstants& shape,
 /// Density of `sample_shape` (1/sr) for a ray from `point` that hits the shape at `distance` from
 /// the front, where the unit `normal` points outward.
 template <class L>
-CAROM_KERNEL typename L::Value pdf_of_shape(const EmissiveShapeConstants& shape,
-                                            const Vec3<typename L::Value>& point,
-                                            const Vec3<typename L::Value>& direction,
-                                            typename L::Value distance,
-                                            const Vec3<typename L::Value>& normal) {
-    using V = typename L::Value;
+CAROM_KERNEL ValueOf<L> pdf_of_shape(const EmissiveShapeConstants& shape, const Vec3Of<L>& point,
+                                     const Vec3Of<L>& direction, ValueOf<L> distance,
+                                     const Vec3Of<L>& normal) {
+    using V = ValueOf<L>;
     using Kind = EmissiveShapeConstants::Kind;
     const V one = L::all(1);
     if (shape.kind == Kind::sphere || shape.kind == Kind::ellipsoid) {
@@ -269,9 +261,8 @@ CAROM_KERNEL typename L::Value pdf_of_shape(const EmissiveShapeConstants& shape,
 /// away.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_surface(const EmissiveSurfaceConstants& surface,
-                                             const Vec3<typename L::Value>& point,
-                                             const Vec2<typename L::Value>& u) {
-    using V = typename L::Value;
+                                             const Vec3Of<L>& point, const Vec2Of<L>& u) {
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V one = L::all(1);
     // The triangle within whose part of the area u.x lies, by bisection.

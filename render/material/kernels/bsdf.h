@@ -5,15 +5,15 @@
 /// Directions in "local" axes are in those of `frame`.
 template <class L>
 struct BsdfOf {
-    Vec3<typename L::Value> geometric_normal;  // on the viewer's side
-    BasisOf<L> frame;                          // around the shading normal, likewise
-    Vec3<typename L::Value> wo;                // local, towards the viewer, z > 0
-    Vec3<typename L::Value> base;              // albedo, or reflectance of the metal
+    Vec3Of<L> geometric_normal;  // on the viewer's side
+    BasisOf<L> frame;            // around the shading normal, likewise
+    Vec3Of<L> wo;                // local, towards the viewer, z > 0
+    Vec3Of<L> base;              // albedo, or reflectance of the metal
     LayersOf<L> layers;
     LobesOf<L> lobes;
     GlassLobeOf<L> glass;   // set if layers.any_glass
     PhongLobesOf<L> phong;  // set if layers.any_phong
-    typename L::Mask transmits;
+    MaskOf<L> transmits;
     bool any_transmits;  // false: in no lane
 
     [[nodiscard]] CAROM_KERNEL bool only_layers() const {
@@ -29,10 +29,9 @@ struct BsdfOf {
 /// axes. Both normals are on the viewer's side, which is behind the surface in the lanes
 /// `from_behind`.
 template <class L>
-CAROM_KERNEL void complete(BsdfOf<L>& bsdf, const Vec3<typename L::Value>& base,
-                           const Vec3<typename L::Value>& geometric_normal,
-                           const Vec3<typename L::Value>& normal,
-                           const Vec3<typename L::Value>& viewer, typename L::Mask from_behind) {
+CAROM_KERNEL void complete(BsdfOf<L>& bsdf, const Vec3Of<L>& base,
+                           const Vec3Of<L>& geometric_normal, const Vec3Of<L>& normal,
+                           const Vec3Of<L>& viewer, MaskOf<L> from_behind) {
     const LayersOf<L>& layers = bsdf.layers;
     const auto zero = L::all(0);
     const auto none = L::is_less(zero, zero);
@@ -62,10 +61,10 @@ CAROM_KERNEL void complete(BsdfOf<L>& bsdf, const Vec3<typename L::Value>& base,
 /// What kinds of lobes a surface has.
 template <class L>
 struct LobeKindsOf {
-    typename L::Mask coat_scatters, base_scatters;  // not only specularly
-    typename L::Mask is_narrow;                     // some lobe is, but not specular
+    MaskOf<L> coat_scatters, base_scatters;  // not only specularly
+    MaskOf<L> is_narrow;                     // some lobe is, but not specular
 
-    [[nodiscard]] CAROM_KERNEL typename L::Mask scatters() const {
+    [[nodiscard]] CAROM_KERNEL MaskOf<L> scatters() const {
         return L::either(coat_scatters, base_scatters);
     }
 };
@@ -75,7 +74,7 @@ CAROM_KERNEL LobeKindsOf<L> kinds_of_lobes(const BsdfOf<L>& bsdf) {
     const LayersOf<L>& layers = bsdf.layers;
     const LobesOf<L>& lobes = bsdf.lobes;
     const auto zero = L::all(0);
-    const auto is_narrow = [](typename L::Value alpha) CAROM_KERNEL_ATTRIBUTE {
+    const auto is_narrow = [](ValueOf<L> alpha) CAROM_KERNEL_ATTRIBUTE {
         return L::is_less(alpha, L::all(kBroadAlpha));
     };
     LobeKindsOf<L> kinds;
@@ -110,16 +109,13 @@ CAROM_KERNEL LobeKindsOf<L> kinds_of_lobes(const BsdfOf<L>& bsdf) {
 /// The local direction `wi`, with a height at which the lobes of the viewer's side have values, in
 /// the lanes `passes`.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> on_viewers_side(const BsdfOf<L>& bsdf,
-                                                     const Vec3<typename L::Value>& wi,
-                                                     typename L::Mask passes) {
-    return bsdf.any_transmits
-               ? Vec3<typename L::Value>{wi.x, wi.y, L::select(passes, L::all(1), wi.z)}
-               : wi;
+CAROM_KERNEL Vec3Of<L> on_viewers_side(const BsdfOf<L>& bsdf, const Vec3Of<L>& wi,
+                                       MaskOf<L> passes) {
+    return bsdf.any_transmits ? Vec3Of<L>{wi.x, wi.y, L::select(passes, L::all(1), wi.z)} : wi;
 }
 
 template <class L>
-CAROM_KERNEL LobeValueOf<L> without(typename L::Mask mask, const LobeValueOf<L>& value) {
+CAROM_KERNEL LobeValueOf<L> without(MaskOf<L> mask, const LobeValueOf<L>& value) {
     const auto zero = L::all(0);
     return {select<L>(mask, {zero, zero, zero}, value.value), L::select(mask, zero, value.pdf)};
 }
@@ -127,8 +123,8 @@ CAROM_KERNEL LobeValueOf<L> without(typename L::Mask mask, const LobeValueOf<L>&
 /// The coat's value for the local direction `wi`, which is beyond the surface in the lanes
 /// `passes`.
 template <class L>
-CAROM_KERNEL LobeValueOf<L> coat_towards(const BsdfOf<L>& bsdf, const Vec3<typename L::Value>& wi,
-                                         typename L::Mask passes) {
+CAROM_KERNEL LobeValueOf<L> coat_towards(const BsdfOf<L>& bsdf, const Vec3Of<L>& wi,
+                                         MaskOf<L> passes) {
     LobeValueOf<L> value =
         coat_towards<L>(bsdf.layers, bsdf.lobes, bsdf.wo, on_viewers_side<L>(bsdf, wi, passes));
     if (bsdf.any_transmits) {
@@ -139,8 +135,8 @@ CAROM_KERNEL LobeValueOf<L> coat_towards(const BsdfOf<L>& bsdf, const Vec3<typen
 
 /// Likewise of the layers below the coat, or of a phong surface.
 template <class L>
-CAROM_KERNEL LobeValueOf<L> base_towards(const BsdfOf<L>& bsdf, const Vec3<typename L::Value>& wi,
-                                         typename L::Mask passes) {
+CAROM_KERNEL LobeValueOf<L> base_towards(const BsdfOf<L>& bsdf, const Vec3Of<L>& wi,
+                                         MaskOf<L> passes) {
     const LobesOf<L>& lobes = bsdf.lobes;
     LobeValueOf<L> sum = base_towards<L>(bsdf.layers, lobes, bsdf.base, bsdf.wo,
                                          on_viewers_side<L>(bsdf, wi, passes));
@@ -150,8 +146,7 @@ CAROM_KERNEL LobeValueOf<L> base_towards(const BsdfOf<L>& bsdf, const Vec3<typen
     if (bsdf.layers.any_glass) {
         const auto one = L::all(1);
         const GlassValueOf<L> glass = glass_towards<L>(bsdf.glass, bsdf.wo, wi, passes);
-        const Vec3<typename L::Value> tint =
-            select<L>(passes, bsdf.layers.glass.tint, {one, one, one});
+        const Vec3Of<L> tint = select<L>(passes, bsdf.layers.glass.tint, {one, one, one});
         sum.value = sum.value + tint * (lobes.glass * glass.value);
         sum.pdf = sum.pdf + lobes.choose_glass * glass.pdf;
     }
@@ -174,15 +169,14 @@ CAROM_KERNEL LobeValueOf<L> of_all_lobes(const BsdfOf<L>& bsdf, const LobeValueO
 /// On which side of the surface a direction is.
 template <class L>
 struct SideOf {
-    typename L::Mask is_above;  // the viewer's
-    typename L::Mask passes;    // the other one, where the surface transmits
+    MaskOf<L> is_above;  // the viewer's
+    MaskOf<L> passes;    // the other one, where the surface transmits
 };
 
 /// A direction counts only if the geometric and the shading normal agree on its side; `height` is
 /// its cosine to the latter.
 template <class L>
-CAROM_KERNEL SideOf<L> side_of(const BsdfOf<L>& bsdf, const Vec3<typename L::Value>& world,
-                               typename L::Value height) {
+CAROM_KERNEL SideOf<L> side_of(const BsdfOf<L>& bsdf, const Vec3Of<L>& world, ValueOf<L> height) {
     const auto zero = L::all(0);
     const auto side = dot(bsdf.geometric_normal, world);
     SideOf<L> result{L::both(L::is_less(zero, height), L::is_less(zero, side)),
@@ -197,18 +191,18 @@ CAROM_KERNEL SideOf<L> side_of(const BsdfOf<L>& bsdf, const Vec3<typename L::Val
 /// A direction of one part of the surface.
 template <class L>
 struct DirectionOf {
-    Vec3<typename L::Value> wi;      // local
-    Vec3<typename L::Value> world;   // unit
-    Vec3<typename L::Value> weight;  // value / pdf; of a delta lobe its reflectance over its
-                                     // probability
-    typename L::Value pdf;           // of one direction
-    typename L::Mask is_delta;
-    typename L::Mask passes;  // through the surface
-    typename L::Mask valid;
+    Vec3Of<L> wi;      // local
+    Vec3Of<L> world;   // unit
+    Vec3Of<L> weight;  // value / pdf; of a delta lobe its reflectance over its
+                       // probability
+    ValueOf<L> pdf;    // of one direction
+    MaskOf<L> is_delta;
+    MaskOf<L> passes;  // through the surface
+    MaskOf<L> valid;
 };
 
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> mirrored(const BsdfOf<L>& bsdf) {
+CAROM_KERNEL Vec3Of<L> mirrored(const BsdfOf<L>& bsdf) {
     return {L::opposite_sign(bsdf.wo.x), L::opposite_sign(bsdf.wo.y), bsdf.wo.z};
 }
 
@@ -216,8 +210,7 @@ CAROM_KERNEL Vec3<typename L::Value> mirrored(const BsdfOf<L>& bsdf) {
 /// values of the two parts add up to the whole; in the others one of them is chosen by `u`, which
 /// is remapped.
 template <class L>
-CAROM_KERNEL typename L::Value after_choice(const BsdfOf<L>& bsdf, typename L::Mask splits,
-                                            typename L::Value u) {
+CAROM_KERNEL ValueOf<L> after_choice(const BsdfOf<L>& bsdf, MaskOf<L> splits, ValueOf<L> u) {
     const auto choice = bsdf.lobes.coat_probability;
     const auto by_chance = L::both(L::opposite(splits), L::is_less(L::all(0), choice));
     const auto both = L::both(by_chance, L::is_less(choice, L::all(1)));
@@ -226,9 +219,8 @@ CAROM_KERNEL typename L::Value after_choice(const BsdfOf<L>& bsdf, typename L::M
 
 /// The coat's direction for the numbers `u`. `takes_coat`: the coat was chosen by chance.
 template <class L>
-CAROM_KERNEL DirectionOf<L> sample_coat(const BsdfOf<L>& bsdf, typename L::Mask splits,
-                                        typename L::Mask takes_coat,
-                                        const Vec2<typename L::Value>& u) {
+CAROM_KERNEL DirectionOf<L> sample_coat(const BsdfOf<L>& bsdf, MaskOf<L> splits,
+                                        MaskOf<L> takes_coat, const Vec2Of<L>& u) {
     const auto zero = L::all(0);
     const LobesOf<L>& lobes = bsdf.lobes;
     DirectionOf<L> to;
@@ -261,16 +253,15 @@ CAROM_KERNEL DirectionOf<L> sample_coat(const BsdfOf<L>& bsdf, typename L::Mask 
 
 /// Probability of sampling the base.
 template <class L>
-CAROM_KERNEL typename L::Value base_probability(const BsdfOf<L>& bsdf, typename L::Mask splits) {
+CAROM_KERNEL ValueOf<L> base_probability(const BsdfOf<L>& bsdf, MaskOf<L> splits) {
     return L::select(splits, L::all(1), L::all(1) - bsdf.lobes.coat_probability);
 }
 
 /// Chooses one of all lobes below the coat and a direction of it; sets the weight of single
 /// directions of glass and phong surfaces only. `probability`: of the base.
 template <class L>
-CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
-                                                  typename L::Value probability,
-                                                  Vec2<typename L::Value> u) {
+CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf, ValueOf<L> probability,
+                                                  Vec2Of<L> u) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const LobesOf<L>& lobes = bsdf.lobes;
@@ -287,7 +278,7 @@ CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
         specular_probability =
             specular_probability / L::select(remaps, one - lobes.choose_glass, one);
     }
-    const Vec2<typename L::Value> of_glass = u;
+    const Vec2Of<L> of_glass = u;
     PhongDirectionOf<L> phong{to.weight, to.weight, to.passes, to.passes, to.passes};
     if (bsdf.layers.any_phong) {
         phong = sample_phong<L>(bsdf.phong, u);
@@ -303,8 +294,7 @@ CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
         to.is_delta = L::select_mask(by_glass, L::opposite(bsdf.glass.is_rough), to.is_delta);
         to.valid = L::select_mask(by_glass, glass.valid, to.valid);
         to.passes = L::both(by_glass, L::is_less(glass.wi.z, zero));
-        const Vec3<typename L::Value> tint =
-            select<L>(to.passes, bsdf.layers.glass.tint, {one, one, one});
+        const Vec3Of<L> tint = select<L>(to.passes, bsdf.layers.glass.tint, {one, one, one});
         const auto weight = lobes.glass / (probability * lobes.choose_glass);
         to.weight = select<L>(by_glass, tint * weight, to.weight);
     }
@@ -320,20 +310,20 @@ CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
 
 /// A direction of the layers below the coat, or of a phong surface.
 template <class L>
-CAROM_KERNEL DirectionOf<L> sample_base(const BsdfOf<L>& bsdf, typename L::Mask splits,
-                                        const Vec2<typename L::Value>& u) {
+CAROM_KERNEL DirectionOf<L> sample_base(const BsdfOf<L>& bsdf, MaskOf<L> splits,
+                                        const Vec2Of<L>& u) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const LobesOf<L>& lobes = bsdf.lobes;
     const auto probability = base_probability<L>(bsdf, splits);
     DirectionOf<L> to = choose_base_direction<L>(bsdf, probability, u);
-    const Vec3<typename L::Value> of_delta = to.weight;
+    const Vec3Of<L> of_delta = to.weight;
     const LobeValueOf<L> base = base_towards<L>(bsdf, to.wi, to.passes);
     to.pdf = probability * base.pdf;
     // The diffuse lobe alone is sampled in proportion to its value, so that its albedo remains.
     to.weight = lobes.diffuse * (one / probability);
     if (bsdf.any_glossy()) {
-        Vec3<typename L::Value> value = base.value;
+        Vec3Of<L> value = base.value;
         auto pdf = to.pdf;
         auto is_lambert = lobes.is_diffuse;
         const auto mixes = L::both(L::opposite(splits), lobes.has_rough_coat);

@@ -4,18 +4,18 @@
 /// PhongModel of the material in each lane, and its emission.
 template <class L>
 struct ClassicOf {
-    Vec3<typename L::Value> emission, ambient;
-    typename L::Value has_ambient, diffuse_fraction;
-    Vec3<typename L::Value> specular;
-    typename L::Value shininess;
-    Vec3<typename L::Value> reflectance;
-    typename L::Value metal;
-    Vec3<typename L::Value> transmittance;
-    typename L::Value index;
+    Vec3Of<L> emission, ambient;
+    ValueOf<L> has_ambient, diffuse_fraction;
+    Vec3Of<L> specular;
+    ValueOf<L> shininess;
+    Vec3Of<L> reflectance;
+    ValueOf<L> metal;
+    Vec3Of<L> transmittance;
+    ValueOf<L> index;
     // Of reflection and transmission: standard deviation of the angle, and
     // gaussian_within_a_quarter_turn of it.
-    typename L::Value reflectance_spread, reflectance_most;
-    typename L::Value transmittance_spread, transmittance_most;
+    ValueOf<L> reflectance_spread, reflectance_most;
+    ValueOf<L> transmittance_spread, transmittance_most;
 
     /// Calls `visit` with each number, always in the same order.
     template <class Classic, class Visit>
@@ -36,29 +36,24 @@ struct ClassicOf {
         visit(model.transmittance_most);
     }
 
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> diffuse_colour(
-        const Vec3<typename L::Value>& base) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> diffuse_colour(const Vec3Of<L>& base) const {
         return base * diffuse_fraction;
     }
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> ambient_colour(
-        const Vec3<typename L::Value>& base) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> ambient_colour(const Vec3Of<L>& base) const {
         return select<L>(L::is_less(L::all(0), has_ambient), ambient, diffuse_colour(base));
     }
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> reflectance_colour(
-        const Vec3<typename L::Value>& base) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> reflectance_colour(const Vec3Of<L>& base) const {
         return reflectance + base * metal;
     }
 };
 
 /// The part of the irradiance over pi that goes from the unit direction `wi` to `wo`; world axes.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> classic_towards(const ClassicOf<L>& model,
-                                                     const Vec3<typename L::Value>& base,
-                                                     const Vec3<typename L::Value>& normal,
-                                                     const Vec3<typename L::Value>& wo,
-                                                     const Vec3<typename L::Value>& wi) {
+CAROM_KERNEL Vec3Of<L> classic_towards(const ClassicOf<L>& model, const Vec3Of<L>& base,
+                                       const Vec3Of<L>& normal, const Vec3Of<L>& wo,
+                                       const Vec3Of<L>& wi) {
     const auto zero = L::all(0);
-    Vec3<typename L::Value> sum = model.diffuse_colour(base) * dot(normal, wi);
+    Vec3Of<L> sum = model.diffuse_colour(base) * dot(normal, wi);
     const auto highlight = dot(reflect<L>(wi, normal), wo);
     const auto shines =
         L::both(L::is_less(zero, highlight), L::is_less(zero, largest<L>(model.specular)));
@@ -73,8 +68,8 @@ CAROM_KERNEL Vec3<typename L::Value> classic_towards(const ClassicOf<L>& model,
 /// Rays of one kind that leave a surface around one direction.
 template <class L>
 struct ClassicLobeOf {
-    Vec3<typename L::Value> axis;    // unit, world
-    Vec3<typename L::Value> colour;  // factor on the light that they bring
+    Vec3Of<L> axis;    // unit, world
+    Vec3Of<L> colour;  // factor on the light that they bring
 };
 
 /// Reflection, and refraction by Snell's law: at total reflection what would pass is reflected.
@@ -86,13 +81,11 @@ struct ClassicLobesOf {
 
 /// `refracts`: whether refracted rays are sent at all.
 template <class L>
-CAROM_KERNEL ClassicLobesOf<L> classic_lobes(const ClassicOf<L>& model,
-                                             const Vec3<typename L::Value>& base,
-                                             const Vec3<typename L::Value>& geometric_normal,
-                                             const Vec3<typename L::Value>& normal,
-                                             const Vec3<typename L::Value>& wo,
-                                             typename L::Mask from_behind, bool refracts) {
-    using V = typename L::Value;
+CAROM_KERNEL ClassicLobesOf<L> classic_lobes(const ClassicOf<L>& model, const Vec3Of<L>& base,
+                                             const Vec3Of<L>& geometric_normal,
+                                             const Vec3Of<L>& normal, const Vec3Of<L>& wo,
+                                             MaskOf<L> from_behind, bool refracts) {
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V one = L::all(1);
     const Vec3<V> black{zero, zero, zero};

@@ -5,7 +5,7 @@
 /// `cosine`: of the angle of incidence, [0, 1]; `ior`: relative index, >= 1. Returns a value in [0,
 /// 1].
 template <class L>
-CAROM_KERNEL typename L::Value fresnel_dielectric(typename L::Value cosine, typename L::Value ior) {
+CAROM_KERNEL ValueOf<L> fresnel_dielectric(ValueOf<L> cosine, ValueOf<L> ior) {
     const auto one = L::all(1);
     const auto cos_i = L::smaller(cosine, one);
     const auto sin2_t = (one - cos_i * cos_i) / (ior * ior);
@@ -18,10 +18,9 @@ CAROM_KERNEL typename L::Value fresnel_dielectric(typename L::Value cosine, type
 /// Reflectance of a metal with the reflectance `f0` at normal incidence (Schlick 1994, "An
 /// inexpensive BRDF model for physically-based rendering", eq. 15).
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> fresnel_schlick(typename L::Value cosine,
-                                                     const Vec3<typename L::Value>& f0) {
+CAROM_KERNEL Vec3Of<L> fresnel_schlick(ValueOf<L> cosine, const Vec3Of<L>& f0) {
     const auto rest = limited<L>(L::all(1) - cosine, 0, 1);
     const auto rest2 = rest * rest;
     const auto one = L::all(1);
-    return f0 + (Vec3<typename L::Value>{one, one, one} - f0) * (rest2 * rest2 * rest);
+    return f0 + (Vec3Of<L>{one, one, one} - f0) * (rest2 * rest2 * rest);
 }

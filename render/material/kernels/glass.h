@@ -5,14 +5,12 @@
 /// The refracted direction on the far side of a facet `m`, with w.m > 0 and `index` of the far side
 /// over that of `w`; (0, 0, 0) at total reflection (Walter 2007, eq. 40).
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> refracted_at(const Vec3<typename L::Value>& w,
-                                                  const Vec3<typename L::Value>& m,
-                                                  typename L::Value index) {
+CAROM_KERNEL Vec3Of<L> refracted_at(const Vec3Of<L>& w, const Vec3Of<L>& m, ValueOf<L> index) {
     const auto zero = L::all(0);
     const auto cosine = dot(w, m);
     const auto inverse = L::all(1) / index;
     const auto through2 = L::all(1) - inverse * inverse * (L::all(1) - cosine * cosine);
-    const Vec3<typename L::Value> bent =
+    const Vec3Of<L> bent =
         m * (inverse * cosine - L::root(L::larger(through2, zero))) - w * inverse;
     return select<L>(L::is_less(zero, through2), bent, {zero, zero, zero});
 }
@@ -27,20 +25,18 @@ CAROM_KERNEL Vec3<typename L::Value> refracted_at(const Vec3<typename L::Value>&
 /// outside.
 template <class L>
 struct GlassLobeOf {
-    typename L::Mask is_rough;
+    MaskOf<L> is_rough;
     bool any_rough;  // false: in no lane
-    typename L::Value alpha;
-    typename L::Value index;  // of the far side over the viewer's
-    typename L::Value
-        reflectance;          // smooth: Fresnel's; rough: probability of sampling a reflection
-    typename L::Value scale;  // restores the energy that single scattering loses
+    ValueOf<L> alpha;
+    ValueOf<L> index;        // of the far side over the viewer's
+    ValueOf<L> reflectance;  // smooth: Fresnel's; rough: probability of sampling a reflection
+    ValueOf<L> scale;        // restores the energy that single scattering loses
 };
 
 /// `wo`: towards the viewer, wo.z > 0; `first`: of the material's numbers in the tables.
 template <class L>
 CAROM_KERNEL GlassLobeOf<L> glass_lobe(const GlassOf<L>& glass, const AlbedoNumbers& tables,
-                                       typename L::Int first, typename L::Mask is_inside,
-                                       const Vec3<typename L::Value>& wo) {
+                                       IntOf<L> first, MaskOf<L> is_inside, const Vec3Of<L>& wo) {
     const auto one = L::all(1);
     GlassLobeOf<L> lobe;
     lobe.is_rough = L::is_less(L::all(0), glass.alpha);
@@ -69,24 +65,22 @@ CAROM_KERNEL GlassLobeOf<L> glass_lobe(const GlassOf<L>& glass, const AlbedoNumb
 /// A lobe's value, times the cosine of `wi`, and the density of sampling it, both in 1/sr.
 template <class L>
 struct GlassValueOf {
-    typename L::Value value, pdf;
+    ValueOf<L> value, pdf;
 };
 
 /// For light from `wi`, beyond the surface in the lanes `passes`. Both are 0 for a smooth surface.
 template <class L>
-CAROM_KERNEL GlassValueOf<L> glass_towards(const GlassLobeOf<L>& lobe,
-                                           const Vec3<typename L::Value>& wo,
-                                           const Vec3<typename L::Value>& wi,
-                                           typename L::Mask passes) {
+CAROM_KERNEL GlassValueOf<L> glass_towards(const GlassLobeOf<L>& lobe, const Vec3Of<L>& wo,
+                                           const Vec3Of<L>& wi, MaskOf<L> passes) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     if (!lobe.any_rough) {
         return {zero, zero};
     }
     const GgxOf<L> ggx(lobe.alpha);
-    const Vec3<typename L::Value> between = wo + wi;
-    const Vec3<typename L::Value> bent = wo + wi * lobe.index;
-    Vec3<typename L::Value> m = select<L>(passes, bent, between);
+    const Vec3Of<L> between = wo + wi;
+    const Vec3Of<L> bent = wo + wi * lobe.index;
+    Vec3Of<L> m = select<L>(passes, bent, between);
     const auto length = L::root(dot(m, m));
     const auto exists = L::is_at_most(L::all(1e-6f), length);
     m = m * (L::flip_sign(one, m.z) / L::select(exists, length, one));
@@ -112,26 +106,24 @@ CAROM_KERNEL GlassValueOf<L> glass_towards(const GlassLobeOf<L>& lobe,
 
 template <class L>
 struct GlassDirectionOf {
-    Vec3<typename L::Value> wi;
-    typename L::Mask valid;
+    Vec3Of<L> wi;
+    MaskOf<L> valid;
 };
 
 /// A direction: of a rough surface with the density of `glass_towards`; of a smooth one reflected
 /// with the probability `reflectance`, otherwise refracted.
 template <class L>
-CAROM_KERNEL GlassDirectionOf<L> sample_glass(const GlassLobeOf<L>& lobe,
-                                              const Vec3<typename L::Value>& wo,
-                                              const Vec2<typename L::Value>& u) {
+CAROM_KERNEL GlassDirectionOf<L> sample_glass(const GlassLobeOf<L>& lobe, const Vec3Of<L>& wo,
+                                              const Vec2Of<L>& u) {
     const auto zero = L::all(0);
     const auto reflects = L::is_less(u.x, lobe.reflectance);
-    Vec3<typename L::Value> m{zero, zero, L::all(1)};
+    Vec3Of<L> m{zero, zero, L::all(1)};
     if (lobe.any_rough) {
         const GgxOf<L> ggx(lobe.alpha);
         const auto facet = ggx.sample_visible(wo, {remap_sample<L>(u.x, lobe.reflectance), u.y});
         m = select<L>(lobe.is_rough, facet, m);
     }
-    const Vec3<typename L::Value> wi =
-        select<L>(reflects, reflect<L>(wo, m), refracted_at<L>(wo, m, lobe.index));
+    const Vec3Of<L> wi = select<L>(reflects, reflect<L>(wo, m), refracted_at<L>(wo, m, lobe.index));
     return {wi, L::either(L::both(reflects, L::is_less(zero, wi.z)),
                           L::both(L::opposite(reflects), L::is_less(wi.z, zero)))};
 }

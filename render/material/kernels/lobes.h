@@ -10,16 +10,16 @@
 /// where E is the coat's albedo, for a smooth coat Fresnel's F.
 template <class L>
 struct LobesOf {
-    typename L::Value coat;              // fraction that the coat reflects
-    typename L::Value coat_probability;  // probability of the coat when it or the base is chosen
-    Vec3<typename L::Value> diffuse;     // albedo after all layers above
-    typename L::Value specular;          // scale of metal and highlight after all layers above
-    Vec3<typename L::Value> metal_scale;
-    Vec3<typename L::Value> sheen;
-    typename L::Value glass;  // fraction that reaches the glass below all layers
-    typename L::Value choose_glass, specular_probability, choose_sheen, choose_diffuse;
-    typename L::Mask is_diffuse;  // the base has no other lobe
-    typename L::Mask has_rough_coat;
+    ValueOf<L> coat;              // fraction that the coat reflects
+    ValueOf<L> coat_probability;  // probability of the coat when it or the base is chosen
+    Vec3Of<L> diffuse;            // albedo after all layers above
+    ValueOf<L> specular;          // scale of metal and highlight after all layers above
+    Vec3Of<L> metal_scale;
+    Vec3Of<L> sheen;
+    ValueOf<L> glass;  // fraction that reaches the glass below all layers
+    ValueOf<L> choose_glass, specular_probability, choose_sheen, choose_diffuse;
+    MaskOf<L> is_diffuse;  // the base has no other lobe
+    MaskOf<L> has_rough_coat;
     bool any_sheen;     // false: no lane has sheen
     bool any_specular;  // false: no lane has metal or a highlight
     bool any_rough_coat;
@@ -32,21 +32,18 @@ struct LobesOf {
 
 /// Reflectance of a facet at `cosine`, metal and highlight together.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> facet_reflectance(const LayersOf<L>& layers,
-                                                       const Vec3<typename L::Value>& metal_scale,
-                                                       const Vec3<typename L::Value>& base,
-                                                       typename L::Value cosine) {
+CAROM_KERNEL Vec3Of<L> facet_reflectance(const LayersOf<L>& layers, const Vec3Of<L>& metal_scale,
+                                         const Vec3Of<L>& base, ValueOf<L> cosine) {
     const auto highlight = (L::all(1) - layers.metal) * layers.specular *
                            fresnel_dielectric<L>(cosine, L::all(kSpecularIor));
     return metal_scale * fresnel_schlick<L>(cosine, base) +
-           Vec3<typename L::Value>{highlight, highlight, highlight};
+           Vec3Of<L>{highlight, highlight, highlight};
 }
 
 /// Sets the weights of the base's lobes; `rest`: of the light, that the coat leaves.
 template <class L>
-CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Vec3<typename L::Value>& base,
-                             typename L::Value cosine, typename L::Mask is_inside,
-                             typename L::Value rest, LobesOf<L>& lobes) {
+CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Vec3Of<L>& base, ValueOf<L> cosine,
+                             MaskOf<L> is_inside, ValueOf<L> rest, LobesOf<L>& lobes) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const auto has_sheen = L::both(L::is_less(zero, layers.sheen), L::opposite(is_inside));
@@ -108,8 +105,8 @@ CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Vec3<typename L::V
 
 /// `cosine`: of the viewer's direction to the normal, > 0.
 template <class L>
-CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Vec3<typename L::Value>& base,
-                                    typename L::Value cosine, typename L::Mask is_inside) {
+CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Vec3Of<L>& base,
+                                    ValueOf<L> cosine, MaskOf<L> is_inside) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     LobesOf<L> lobes;
@@ -147,19 +144,18 @@ CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Vec3<typena
 /// BSDF times cosine of `wi`, and the density of sampling it.
 template <class L>
 struct LobeValueOf {
-    Vec3<typename L::Value> value;
-    typename L::Value pdf;
+    Vec3Of<L> value;
+    ValueOf<L> pdf;
 };
 
 /// The coat's part; 0 without a rough coat.
 template <class L>
 CAROM_KERNEL LobeValueOf<L> coat_towards(const LayersOf<L>& layers, const LobesOf<L>& lobes,
-                                         const Vec3<typename L::Value>& wo,
-                                         const Vec3<typename L::Value>& wi) {
+                                         const Vec3Of<L>& wo, const Vec3Of<L>& wi) {
     const auto zero = L::all(0);
     const auto alpha = L::select(lobes.has_rough_coat, layers.coat_alpha, L::all(1));
     const GgxOf<L> ggx(alpha);
-    const Vec3<typename L::Value> m = unit<L>(wo + wi);
+    const Vec3Of<L> m = unit<L>(wo + wi);
     const auto reflected = fresnel_dielectric<L>(dot(wo, m), layers.coat_ior);
     const auto value = L::select(lobes.has_rough_coat,
                                  layers.coat_weight * reflected * ggx.reflection(wo, wi, m), zero);
@@ -170,13 +166,12 @@ CAROM_KERNEL LobeValueOf<L> coat_towards(const LayersOf<L>& layers, const LobesO
 /// The part of the layers below the coat, without glass.
 template <class L>
 CAROM_KERNEL LobeValueOf<L> base_towards(const LayersOf<L>& layers, const LobesOf<L>& lobes,
-                                         const Vec3<typename L::Value>& base,
-                                         const Vec3<typename L::Value>& wo,
-                                         const Vec3<typename L::Value>& wi) {
+                                         const Vec3Of<L>& base, const Vec3Of<L>& wo,
+                                         const Vec3Of<L>& wi) {
     const auto zero = L::all(0);
     const auto cosine = wi.z * L::all(kInversePi);
     LobeValueOf<L> result{lobes.diffuse * cosine, lobes.choose_diffuse * cosine};
-    const Vec3<typename L::Value> sum = wo + wi;
+    const Vec3Of<L> sum = wo + wi;
     if (lobes.any_sheen) {
         const auto has_sheen = L::is_less(zero, lobes.choose_sheen);
         const auto density = sheen_reflection<L>(wo.z, wi.z, dot(sum, sum));
@@ -187,7 +182,7 @@ CAROM_KERNEL LobeValueOf<L> base_towards(const LayersOf<L>& layers, const LobesO
         const auto is_rough =
             L::both(L::is_less(zero, lobes.specular), L::is_less(zero, layers.alpha));
         const GgxOf<L> ggx(L::select(is_rough, layers.alpha, L::all(1)));
-        const Vec3<typename L::Value> m = unit<L>(sum);
+        const Vec3Of<L> m = unit<L>(sum);
         const auto scale = L::select(is_rough, lobes.specular * ggx.reflection(wo, wi, m), zero);
         result.value = result.value +
                        facet_reflectance<L>(layers, lobes.metal_scale, base, dot(wo, m)) * scale;
@@ -200,9 +195,9 @@ CAROM_KERNEL LobeValueOf<L> base_towards(const LayersOf<L>& layers, const LobesO
 
 template <class L>
 struct BaseDirectionOf {
-    Vec3<typename L::Value> wi;  // may be below the surface
-    typename L::Mask is_delta;   // by a specular lobe
-    typename L::Mask valid;      // there is a lobe
+    Vec3Of<L> wi;        // may be below the surface
+    MaskOf<L> is_delta;  // by a specular lobe
+    MaskOf<L> valid;     // there is a lobe
 };
 
 /// Chooses a lobe but glass and a direction of it by the numbers `u`. `specular_probability`: the
@@ -210,10 +205,9 @@ struct BaseDirectionOf {
 template <class L>
 CAROM_KERNEL BaseDirectionOf<L> sample_base_direction(const LayersOf<L>& layers,
                                                       const LobesOf<L>& lobes,
-                                                      typename L::Value specular_probability,
-                                                      const Vec3<typename L::Value>& wo,
-                                                      Vec2<typename L::Value> u) {
-    using V = typename L::Value;
+                                                      ValueOf<L> specular_probability,
+                                                      const Vec3Of<L>& wo, Vec2Of<L> u) {
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V one = L::all(1);
     const auto none = L::is_less(zero, zero);

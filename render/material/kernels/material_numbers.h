@@ -4,8 +4,8 @@
 /// GlassConstants of the material in each lane.
 template <class L>
 struct GlassOf {
-    typename L::Value ior, alpha;
-    Vec3<typename L::Value> tint;
+    ValueOf<L> ior, alpha;
+    Vec3Of<L> tint;
 
     /// Calls `visit` with each number, always in the same order.
     template <class Glass, class Visit>
@@ -19,9 +19,9 @@ struct GlassOf {
 /// PhongModel of the material in each lane, as far as path tracing needs it.
 template <class L>
 struct PhongOf {
-    Vec3<typename L::Value> specular, reflectance, transmittance;
-    typename L::Value index;  // inside over outside
-    typename L::Value highlight_exponent, mirrored_exponent, through_exponent;
+    Vec3Of<L> specular, reflectance, transmittance;
+    ValueOf<L> index;  // inside over outside
+    ValueOf<L> highlight_exponent, mirrored_exponent, through_exponent;
 
     /// Calls `visit` with each number, always in the same order.
     template <class Phong, class Visit>
@@ -42,17 +42,17 @@ struct PhongOf {
 /// lobe whose alpha is 0 is a smooth mirror.
 template <class L>
 struct LayersOf {
-    typename L::Value coat_weight, coat_ior, coat_alpha;
-    typename L::Value sheen;
-    Vec3<typename L::Value> sheen_colour;
-    typename L::Value metal, specular, alpha;
-    typename L::Value transmission;  // fraction of the base that is glass
-    bool any_glass, any_phong;       // false: in no lane, and these numbers are not set
+    ValueOf<L> coat_weight, coat_ior, coat_alpha;
+    ValueOf<L> sheen;
+    Vec3Of<L> sheen_colour;
+    ValueOf<L> metal, specular, alpha;
+    ValueOf<L> transmission;    // fraction of the base that is glass
+    bool any_glass, any_phong;  // false: in no lane, and these numbers are not set
     GlassOf<L> glass;
     PhongOf<L> phong;
-    typename L::Mask is_phong;
+    MaskOf<L> is_phong;
     AlbedoNumbers tables;
-    typename L::Int first;  // of the material's numbers in each of the tables
+    IntOf<L> first;  // of the material's numbers in each of the tables
 
     /// Calls `visit` with each number of the layers themselves, always in the same order.
     template <class Layers, class Visit>

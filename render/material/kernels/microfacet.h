@@ -4,7 +4,7 @@
 /// See Ggx.
 template <class L>
 struct GgxOf {
-    using V = typename L::Value;
+    using V = ValueOf<L>;
 
     V alpha, alpha2;
 
@@ -58,7 +58,6 @@ struct GgxOf {
 
 /// `w` reflected at the facet with unit normal `m`.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> reflect(const Vec3<typename L::Value>& w,
-                                             const Vec3<typename L::Value>& m) {
+CAROM_KERNEL Vec3Of<L> reflect(const Vec3Of<L>& w, const Vec3Of<L>& m) {
     return m * (L::all(2) * dot(w, m)) - w;
 }

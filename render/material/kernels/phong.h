@@ -4,44 +4,41 @@
 /// A lobe cos^n around an axis, on the axis' side of the surface.
 template <class L>
 struct CosineLobeOf {
-    Vec3<typename L::Value> albedo, axis;
-    typename L::Value exponent;  // below 0: the axis alone
-    typename L::Value kept;      // fraction of the lobe on its side of the surface
-    typename L::Value probability;
+    Vec3Of<L> albedo, axis;
+    ValueOf<L> exponent;  // below 0: the axis alone
+    ValueOf<L> kept;      // fraction of the lobe on its side of the surface
+    ValueOf<L> probability;
 
-    [[nodiscard]] CAROM_KERNEL typename L::Mask exists() const {
+    [[nodiscard]] CAROM_KERNEL MaskOf<L> exists() const {
         return L::is_less(L::all(0), probability);
     }
-    [[nodiscard]] CAROM_KERNEL typename L::Mask is_delta() const {
+    [[nodiscard]] CAROM_KERNEL MaskOf<L> is_delta() const {
         return L::is_less(exponent, L::all(0));
     }
     /// It exists and is not a single direction.
-    [[nodiscard]] CAROM_KERNEL typename L::Mask spreads() const {
+    [[nodiscard]] CAROM_KERNEL MaskOf<L> spreads() const {
         return L::both(exists(), L::opposite(is_delta()));
     }
     /// Whether a direction is on the side of the surface towards which the lobe scatters.
-    [[nodiscard]] CAROM_KERNEL typename L::Mask has_on_its_side(
-        const Vec3<typename L::Value>& wi) const {
+    [[nodiscard]] CAROM_KERNEL MaskOf<L> has_on_its_side(const Vec3Of<L>& wi) const {
         const auto zero = L::all(0);
         const auto is_up = L::is_less(zero, wi.z);
         const auto points_up = L::is_less(zero, axis.z);
         return L::either(L::both(is_up, points_up), L::opposite(L::either(is_up, points_up)));
     }
     /// `w` turned by half a turn about the axis.
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> turned(
-        const Vec3<typename L::Value>& w) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> turned(const Vec3Of<L>& w) const {
         return axis * (L::all(2) * dot(axis, w)) - w;
     }
     /// A direction. One that would be on the wrong side is turned to the opposite azimuth around
     /// the axis.
-    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> sampled(
-        const Vec2<typename L::Value>& u) const {
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> sampled(const Vec2Of<L>& u) const {
         const auto one = L::all(1);
         const auto cosine = power_of<L>(one - u.x, one / (exponent + one));
         const auto sine = L::root(L::larger(L::all(0), one - cosine * cosine));
         const SinCosOf<L> azimuth = sin_cos_turn<L>(u.y);
-        const Vec3<typename L::Value> around_z{sine * azimuth.cosine, sine * azimuth.sine, cosine};
-        const Vec3<typename L::Value> wi = unit<L>(basis_around<L>(axis).to_world(around_z));
+        const Vec3Of<L> around_z{sine * azimuth.cosine, sine * azimuth.sine, cosine};
+        const Vec3Of<L> wi = unit<L>(basis_around<L>(axis).to_world(around_z));
         const auto stays = has_on_its_side(wi);
         return select<L>(L::either(stays, is_delta()), wi, unit<L>(turned(wi)));
     }
@@ -72,7 +69,7 @@ struct PhongLobesOf {
         visit(lobes.highlight);
     }
     /// Whether light passes the surface.
-    [[nodiscard]] CAROM_KERNEL typename L::Mask transmits() const {
+    [[nodiscard]] CAROM_KERNEL MaskOf<L> transmits() const {
         return L::both(through.exists(), L::is_less(through.axis.z, L::all(0)));
     }
 };
@@ -81,11 +78,10 @@ struct PhongLobesOf {
 /// viewer is on the inside; `first`: of the material's numbers in the tables.
 template <class L>
 CAROM_KERNEL PhongLobesOf<L> weigh_phong(const PhongOf<L>& model, const AlbedoNumbers& tables,
-                                         typename L::Int first, const Vec3<typename L::Value>& base,
-                                         const Vec3<typename L::Value>& viewer,
-                                         typename L::Mask from_behind, typename L::Mask is_phong,
-                                         LobesOf<L>& lobes) {
-    using V = typename L::Value;
+                                         IntOf<L> first, const Vec3Of<L>& base,
+                                         const Vec3Of<L>& viewer, MaskOf<L> from_behind,
+                                         MaskOf<L> is_phong, LobesOf<L>& lobes) {
+    using V = ValueOf<L>;
     const V zero = L::all(0);
     const V one = L::all(1);
     const Vec3<V> wo = unit<L>(viewer);
@@ -132,8 +128,7 @@ CAROM_KERNEL PhongLobesOf<L> weigh_phong(const PhongOf<L>& model, const AlbedoNu
 /// The lobes' values, times the cosine of `wi`, and the density of sampling them; without single
 /// directions.
 template <class L>
-CAROM_KERNEL LobeValueOf<L> phong_towards(const PhongLobesOf<L>& phong,
-                                          const Vec3<typename L::Value>& wi) {
+CAROM_KERNEL LobeValueOf<L> phong_towards(const PhongLobesOf<L>& phong, const Vec3Of<L>& wi) {
     const auto zero = L::all(0);
     LobeValueOf<L> result{{zero, zero, zero}, zero};
     PhongLobesOf<L>::each(phong, [&](const CosineLobeOf<L>& lobe) CAROM_KERNEL_ATTRIBUTE {
@@ -156,16 +151,15 @@ CAROM_KERNEL LobeValueOf<L> phong_towards(const PhongLobesOf<L>& phong,
 
 template <class L>
 struct PhongDirectionOf {
-    Vec3<typename L::Value> wi;
-    Vec3<typename L::Value> weight;  // of a single direction: albedo over probability
-    typename L::Mask is_taken;       // otherwise the diffuse lobe is
-    typename L::Mask is_delta, valid;
+    Vec3Of<L> wi;
+    Vec3Of<L> weight;    // of a single direction: albedo over probability
+    MaskOf<L> is_taken;  // otherwise the diffuse lobe is
+    MaskOf<L> is_delta, valid;
 };
 
 /// Chooses one of the lobes, and otherwise remaps `u` for the diffuse one.
 template <class L>
-CAROM_KERNEL PhongDirectionOf<L> sample_phong(const PhongLobesOf<L>& phong,
-                                              Vec2<typename L::Value>& u) {
+CAROM_KERNEL PhongDirectionOf<L> sample_phong(const PhongLobesOf<L>& phong, Vec2Of<L>& u) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const auto none = L::is_less(zero, zero);
@@ -182,7 +176,7 @@ CAROM_KERNEL PhongDirectionOf<L> sample_phong(const PhongLobesOf<L>& phong,
         u.x = L::select(L::both(exists, L::opposite(is_last)), remap_sample<L>(u.x, probability),
                         u.x);
         left = left - lobe.probability;
-        const Vec3<typename L::Value> wi = select<L>(lobe.is_delta(), lobe.axis, lobe.sampled(u));
+        const Vec3Of<L> wi = select<L>(lobe.is_delta(), lobe.axis, lobe.sampled(u));
         to.wi = select<L>(takes, wi, to.wi);
         to.weight = select<L>(takes, lobe.albedo * (one / lobe.probability), to.weight);
         to.is_delta = L::either(to.is_delta, L::both(takes, lobe.is_delta()));

@@ -4,14 +4,13 @@
 template <class L>
 struct ResolvedOf {
     // On the viewer's side.
-    Vec3<typename L::Value> geometric_normal, normal;
-    Vec3<typename L::Value> base;
-    typename L::Mask from_behind;
+    Vec3Of<L> geometric_normal, normal;
+    Vec3Of<L> base;
+    MaskOf<L> from_behind;
 };
 
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> flipped(typename L::Mask flips,
-                                             const Vec3<typename L::Value>& v) {
+CAROM_KERNEL Vec3Of<L> flipped(MaskOf<L> flips, const Vec3Of<L>& v) {
     return {L::select(flips, L::opposite_sign(v.x), v.x),
             L::select(flips, L::opposite_sign(v.y), v.y),
             L::select(flips, L::opposite_sign(v.z), v.z)};
@@ -21,17 +20,16 @@ CAROM_KERNEL Vec3<typename L::Value> flipped(typename L::Mask flips,
 template <class L>
 CAROM_KERNEL ResolvedOf<L> resolve_surface(const TextureData& texture, float bump,
                                            const TexturePointOf<L>& point,
-                                           const Vec3<typename L::Value>& shading_normal,
-                                           const Vec3<typename L::Value>& wo,
-                                           typename L::Value footprint) {
+                                           const Vec3Of<L>& shading_normal, const Vec3Of<L>& wo,
+                                           ValueOf<L> footprint) {
     ResolvedOf<L> surface;
     surface.from_behind = L::is_less(dot(point.geometric_normal, wo), L::all(0));
     surface.geometric_normal = flipped<L>(surface.from_behind, point.geometric_normal);
-    Vec3<typename L::Value> normal = flipped<L>(surface.from_behind, shading_normal);
-    Vec3<typename L::Value> colour;
+    Vec3Of<L> normal = flipped<L>(surface.from_behind, shading_normal);
+    Vec3Of<L> colour;
     if (bump > 0) {
         const TextureReliefOf<L> relief = relief_of<L>(texture, point, footprint);
-        const Vec3<typename L::Value> shift = relief.normal_shift * L::all(bump);
+        const Vec3Of<L> shift = relief.normal_shift * L::all(bump);
         colour = relief.colour;
         normal = unit<L>(normal + shift - normal * dot(normal, shift));
     } else {

@@ -7,8 +7,7 @@
 /// for The Order: 1886", 1 / (4 (cos_i + cos_o - cos_i cos_o)). Requires positive heights.
 /// Reciprocal once divided by the cosine.
 template <class L>
-CAROM_KERNEL typename L::Value sheen_reflection(typename L::Value wo_z, typename L::Value wi_z,
-                                                typename L::Value sum2) {
+CAROM_KERNEL ValueOf<L> sheen_reflection(ValueOf<L> wo_z, ValueOf<L> wi_z, ValueOf<L> sum2) {
     const auto height = wo_z + wi_z;
     const auto sine2 = L::larger(L::all(0), L::all(1) - height * height / sum2);
     const auto density = L::all(2.5f * kInversePi) * sine2 * L::root(sine2);

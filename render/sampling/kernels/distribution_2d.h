@@ -2,15 +2,15 @@
 
 template <class L>
 struct CellOf {
-    typename L::Int index;
-    typename L::Value within;  // [0, 1)
+    IntOf<L> index;
+    ValueOf<L> within;  // [0, 1)
 };
 
 /// The cell whose interval of a cumulative distribution contains u. The distribution has `count` +
 /// 1 numbers from `first` on, and its cuts are `count` numbers from `first_cut` on.
 template <class L>
-CAROM_KERNEL CellOf<L> find_cell(const float* cdf, typename L::Int first, const std::uint16_t* cuts,
-                                 typename L::Int first_cut, int count, typename L::Value u) {
+CAROM_KERNEL CellOf<L> find_cell(const float* cdf, IntOf<L> first, const std::uint16_t* cuts,
+                                 IntOf<L> first_cut, int count, ValueOf<L> u) {
     const auto part =
         L::smaller_int(L::to_int(u * L::all(static_cast<float>(count))), L::all_int(count - 1));
     const auto one = L::all_int(1);
@@ -58,21 +58,21 @@ CAROM_KERNEL CellOf<L> find_cell(const float* cdf, typename L::Int first, const 
 }
 
 template <class L>
-CAROM_KERNEL typename L::Value coordinate_of(const CellOf<L>& cell, int count) {
+CAROM_KERNEL ValueOf<L> coordinate_of(const CellOf<L>& cell, int count) {
     const auto place = L::to_value(cell.index) + cell.within;
     return L::smaller(place / L::all(static_cast<float>(count)), L::all(kOneMinusEpsilon));
 }
 
 template <class L>
 struct UvSampleOf {
-    Vec2<typename L::Value> uv;  // [0, 1)^2: u along a row, v from the first row to the last
-    typename L::Value pdf;       // per area of the unit square
+    Vec2Of<L> uv;    // [0, 1)^2: u along a row, v from the first row to the last
+    ValueOf<L> pdf;  // per area of the unit square
 };
 
 /// A point in proportion to the weights. `tables` must have a density.
 template <class L>
 CAROM_KERNEL UvSampleOf<L> sample_piecewise_constant(const DistributionTables& tables,
-                                                     const Vec2<typename L::Value>& u) {
+                                                     const Vec2Of<L>& u) {
     const auto zero = L::all_int(0);
     const CellOf<L> row =
         find_cell<L>(tables.row_cdf.data(), zero, tables.row_cuts.data(), zero, tables.height, u.y);
@@ -85,9 +85,9 @@ CAROM_KERNEL UvSampleOf<L> sample_piecewise_constant(const DistributionTables& t
 
 /// Density of `sample_piecewise_constant` per area of the unit square; `uv` in [0, 1]^2.
 template <class L>
-CAROM_KERNEL typename L::Value pdf_piecewise_constant(const DistributionTables& tables,
-                                                      const Vec2<typename L::Value>& uv) {
-    const auto cell = [&](typename L::Value x, int count) CAROM_KERNEL_ATTRIBUTE {
+CAROM_KERNEL ValueOf<L> pdf_piecewise_constant(const DistributionTables& tables,
+                                               const Vec2Of<L>& uv) {
+    const auto cell = [&](ValueOf<L> x, int count) CAROM_KERNEL_ATTRIBUTE {
         return L::smaller_int(L::to_int(x * L::all(static_cast<float>(count))),
                               L::all_int(count - 1));
     };

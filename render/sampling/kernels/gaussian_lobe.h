@@ -4,7 +4,7 @@
 /// The natural logarithm of a normal number > 0, to about 2e-7: 2 artanh((m - 1) / (m + 1)) of the
 /// mantissa m in [sqrt(1/2), sqrt(2)] (Abramowitz and Stegun 1964, 4.1.27).
 template <class L>
-CAROM_KERNEL typename L::Value natural_logarithm(typename L::Value x) {
+CAROM_KERNEL ValueOf<L> natural_logarithm(ValueOf<L> x) {
     const auto root_of_half = L::all_int(0x3f3504f3);  // the bits of sqrt(1/2)
     const auto bits = L::bits_of(x);
     const auto exponent = L::template shifted_right_int<23>(bits - root_of_half);
@@ -21,8 +21,8 @@ CAROM_KERNEL typename L::Value natural_logarithm(typename L::Value x) {
 /// Inverse of the error function for y in (-1, 1), to about 3e-7 of its value (Giles 2010,
 /// "Approximating the erfinv function", GPU Computing Gems, table 5, single precision).
 template <class L>
-CAROM_KERNEL typename L::Value inverse_erf(typename L::Value y) {
-    using V = typename L::Value;
+CAROM_KERNEL ValueOf<L> inverse_erf(ValueOf<L> y) {
+    using V = ValueOf<L>;
     // Polynomials in w - 2.5 for w < 5 and in sqrt(w) - 3 above; the highest power comes first.
     constexpr float kCentre[] = {2.81022636e-08f,  3.43273939e-07f, -3.5233877e-06f,
                                  -4.39150654e-06f, 0.00021858087f,  -0.00125372503f,
@@ -44,9 +44,8 @@ CAROM_KERNEL typename L::Value inverse_erf(typename L::Value y) {
 /// deviation `spread` (rad, > 0), cut off at pi / 2; the azimuth is uniform. `most`:
 /// gaussian_within_a_quarter_turn of the spread.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> sample_gaussian_lobe(const Vec2<typename L::Value>& u,
-                                                          typename L::Value spread,
-                                                          typename L::Value most) {
+CAROM_KERNEL Vec3Of<L> sample_gaussian_lobe(const Vec2Of<L>& u, ValueOf<L> spread,
+                                            ValueOf<L> most) {
     const auto fraction = L::smaller(u.x * most, L::all(kOneMinusEpsilon));
     const auto angle =
         L::smaller(L::all(1.41421356f) * spread * inverse_erf<L>(fraction), L::all(0.5f * kPi));

@@ -2,7 +2,7 @@
 
 /// Offset from the pixel's centre along one axis, pixels; at most half the filter's width.
 template <class L>
-CAROM_KERNEL typename L::Value filter_offset(const PixelFilterTables& filter, typename L::Value u) {
+CAROM_KERNEL ValueOf<L> filter_offset(const PixelFilterTables& filter, ValueOf<L> u) {
     if (filter.cells == nullptr) {
         return (u - L::all(0.5f)) * L::all(filter.width);
     }

@@ -4,8 +4,8 @@
 /// See SampleStream; sets are those of `seek`.
 template <class L>
 class SamplerOf {
-    using V = typename L::Value;
-    using Word = typename L::Word;
+    using V = ValueOf<L>;
+    using Word = WordOf<L>;
 
   public:
     CAROM_KERNEL SamplerOf(Word pixel_hash, Word reversed_sample)

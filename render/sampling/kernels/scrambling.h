@@ -3,7 +3,7 @@
 
 /// Finaliser of MurmurHash3 (Appleby 2011).
 template <class L>
-CAROM_KERNEL typename L::Word hashed(typename L::Word x) {
+CAROM_KERNEL WordOf<L> hashed(WordOf<L> x) {
     x = x ^ L::template shifted_right<16>(x);
     x = x * L::all_word(0x85ebca6bu);
     x = x ^ L::template shifted_right<13>(x);
@@ -16,7 +16,7 @@ CAROM_KERNEL typename L::Word hashed(typename L::Word x) {
 /// "Stratified sampling for stochastic transparency", section 3.1; constants and order of steps
 /// are Vegdahl 2021, "Building a better LK hash", which mixes the first bits more thoroughly.
 template <class L>
-CAROM_KERNEL typename L::Word scramble_reversed(typename L::Word x, typename L::Word seed) {
+CAROM_KERNEL WordOf<L> scramble_reversed(WordOf<L> x, WordOf<L> seed) {
     x = x ^ (x * L::all_word(0x3d20adeau));
     x = x + seed;
     x = x * (L::template shifted_right<16>(seed) | L::all_word(1));
@@ -26,40 +26,37 @@ CAROM_KERNEL typename L::Word scramble_reversed(typename L::Word x, typename L::
 
 /// The 24 highest bits, so that the result is below 1.
 template <class L>
-CAROM_KERNEL typename L::Value in_unit_interval(typename L::Word x) {
+CAROM_KERNEL ValueOf<L> in_unit_interval(WordOf<L> x) {
     return L::to_value(L::from_word(L::template shifted_right<8>(x))) * L::all(0x1p-24f);
 }
 
 /// What the numbers of a pixel's set are made from.
 template <class L>
-CAROM_KERNEL typename L::Word hash_of_set(typename L::Word pixel_hash, typename L::Word set) {
+CAROM_KERNEL WordOf<L> hash_of_set(WordOf<L> pixel_hash, WordOf<L> set) {
     return hashed<L>(pixel_hash ^ hashed<L>(set));
 }
 
 /// The sample's place in the order of the set, which is another one for each set; both with their
 /// bits reversed.
 template <class L>
-CAROM_KERNEL typename L::Word shuffled_index(typename L::Word reversed_sample,
-                                             typename L::Word set_hash) {
+CAROM_KERNEL WordOf<L> shuffled_index(WordOf<L> reversed_sample, WordOf<L> set_hash) {
     return scramble_reversed<L>(reversed_sample, hashed<L>(set_hash + L::all_word(0x9e3779b9u)));
 }
 
 /// By which a dimension of a set is scrambled. `salt`: the dimension's (sobol_tables.h).
 template <class L>
-CAROM_KERNEL typename L::Word seed_of_dimension(typename L::Word set_hash, typename L::Word salt) {
+CAROM_KERNEL WordOf<L> seed_of_dimension(WordOf<L> set_hash, WordOf<L> salt) {
     return hashed<L>(set_hash + salt);
 }
 
 /// The scrambled coordinate; `reversed`: a coordinate of a Sobol point with its bits reversed.
 template <class L>
-CAROM_KERNEL typename L::Value scrambled_coordinate(typename L::Word reversed,
-                                                    typename L::Word seed) {
+CAROM_KERNEL ValueOf<L> scrambled_coordinate(WordOf<L> reversed, WordOf<L> seed) {
     return in_unit_interval<L>(L::reversed_bits(scramble_reversed<L>(reversed, seed)));
 }
 
 /// See SampleStream::get_1d.
 template <class L>
-CAROM_KERNEL typename L::Value independent_number(typename L::Word set_hash,
-                                                  typename L::Word reversed_sample) {
+CAROM_KERNEL ValueOf<L> independent_number(WordOf<L> set_hash, WordOf<L> reversed_sample) {
     return in_unit_interval<L>(hashed<L>(set_hash ^ reversed_sample));
 }

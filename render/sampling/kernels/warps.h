@@ -3,7 +3,7 @@
 
 /// Concentric map (Shirley and Chiu 1997, "A low distortion map between disk and square").
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> sample_disk(const Vec2<typename L::Value>& u) {
+CAROM_KERNEL Vec2Of<L> sample_disk(const Vec2Of<L>& u) {
     const auto a = L::all(2) * u.x - L::all(1);
     const auto b = L::all(2) * u.y - L::all(1);
     const auto is_wide = L::is_less(L::size(b), L::size(a));
@@ -19,8 +19,8 @@ CAROM_KERNEL Vec2<typename L::Value> sample_disk(const Vec2<typename L::Value>& 
 
 /// Density cos(theta) / pi (Malley's method over the concentric disk).
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> sample_cosine_hemisphere(const Vec2<typename L::Value>& u) {
-    const Vec2<typename L::Value> p = sample_disk<L>(u);
+CAROM_KERNEL Vec3Of<L> sample_cosine_hemisphere(const Vec2Of<L>& u) {
+    const Vec2Of<L> p = sample_disk<L>(u);
     const auto height2 = L::all(1) - (p.x * p.x + p.y * p.y);
     return {p.x, p.y, L::root(L::larger(L::all(0), height2))};
 }
@@ -28,8 +28,7 @@ CAROM_KERNEL Vec3<typename L::Value> sample_cosine_hemisphere(const Vec2<typenam
 /// 1 - cos(theta_max) of the cone that a sphere of `radius` subtends at `distance` > radius from
 /// its centre. It stays accurate for a distant sphere, where the cosine is almost 1.
 template <class L>
-CAROM_KERNEL typename L::Value one_minus_cos_of_sphere(typename L::Value radius,
-                                                       typename L::Value distance) {
+CAROM_KERNEL ValueOf<L> one_minus_cos_of_sphere(ValueOf<L> radius, ValueOf<L> distance) {
     const auto sine = radius / distance;
     const auto sine2 = L::smaller(L::all(1), sine * sine);
     return sine2 / (L::all(1) + L::root(L::all(1) - sine2));
@@ -37,8 +36,7 @@ CAROM_KERNEL typename L::Value one_minus_cos_of_sphere(typename L::Value radius,
 
 /// Uniform within the cone 1 - cos(theta) <= one_minus_cos, one_minus_cos in (0, 2].
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> sample_cone(const Vec2<typename L::Value>& u,
-                                                 typename L::Value one_minus_cos) {
+CAROM_KERNEL Vec3Of<L> sample_cone(const Vec2Of<L>& u, ValueOf<L> one_minus_cos) {
     const auto height = u.x * one_minus_cos;  // 1 - cos(theta)
     const auto sine = L::root(L::larger(L::all(0), height * (L::all(2) - height)));
     const SinCosOf<L> angle = sin_cos_turn<L>(u.y);
@@ -50,7 +48,7 @@ CAROM_KERNEL Vec3<typename L::Value> sample_cone(const Vec2<typename L::Value>& 
 /// stratified (Shirley 1990, "Physically based lighting calculations for computer graphics"; PBR,
 /// section A.1).
 template <class L>
-CAROM_KERNEL typename L::Value remap_sample(typename L::Value u, typename L::Value probability) {
+CAROM_KERNEL ValueOf<L> remap_sample(ValueOf<L> u, ValueOf<L> probability) {
     const auto v = L::select(L::is_less(u, probability), u / probability,
                              (u - probability) / (L::all(1) - probability));
     return L::smaller(v, L::all(kOneMinusEpsilon));
@@ -58,7 +56,7 @@ CAROM_KERNEL typename L::Value remap_sample(typename L::Value u, typename L::Val
 
 /// See warp.h.
 template <class L>
-CAROM_KERNEL typename L::Value sample_trapezoid(typename L::Value u, float switch_ratio) {
+CAROM_KERNEL ValueOf<L> sample_trapezoid(ValueOf<L> u, float switch_ratio) {
     const float ramp = 0.5f * switch_ratio;
     if (ramp <= 0) {
         return u;
@@ -66,7 +64,7 @@ CAROM_KERNEL typename L::Value sample_trapezoid(typename L::Value u, float switc
     const auto one = L::all(1);
     const float height = 1 / (1 - ramp);
     const float ramp_probability = 0.5f * ramp * height;
-    const auto root_of = [&](typename L::Value v) CAROM_KERNEL_ATTRIBUTE {
+    const auto root_of = [&](ValueOf<L> v) CAROM_KERNEL_ATTRIBUTE {
         return L::root(L::all(2) * v * L::all(ramp) / L::all(height));
     };
     const auto closing = L::smaller(one - root_of(one - u), L::all(kOneMinusEpsilon));
@@ -77,14 +75,13 @@ CAROM_KERNEL typename L::Value sample_trapezoid(typename L::Value u, float switc
 
 /// See warp.h.
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> sample_polygon(const Vec2<typename L::Value>& u, int blades,
-                                                    typename L::Value rotation_turns) {
+CAROM_KERNEL Vec2Of<L> sample_polygon(const Vec2Of<L>& u, int blades, ValueOf<L> rotation_turns) {
     const auto count = static_cast<float>(blades);
     const auto scaled = u.x * L::all(count);
     const auto blade = L::smaller(L::rounded_down(scaled), L::all(count - 1));
     const auto fraction = L::smaller(scaled - blade, L::all(kOneMinusEpsilon));
     const auto r = L::root(fraction);  // from the centre to the blade's edge
-    const auto corner = [&](typename L::Value index) CAROM_KERNEL_ATTRIBUTE {
+    const auto corner = [&](ValueOf<L> index) CAROM_KERNEL_ATTRIBUTE {
         return sin_cos_turn<L>(index / L::all(count) + rotation_turns);
     };
     const SinCosOf<L> a = corner(blade);

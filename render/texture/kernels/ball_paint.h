@@ -18,17 +18,14 @@ CAROM_KERNEL Vec3<V> mixed(const Vec3<V>& a, const Vec3<V>& b,
 /// chord radius `radius` and the point the distance `distance`. Both are sines of angles; dividing
 /// by the cosine turns them into lengths along the surface.
 template <class L>
-CAROM_KERNEL typename L::Value inside_circle(typename L::Value distance, float radius,
-                                             typename L::Value width) {
+CAROM_KERNEL ValueOf<L> inside_circle(ValueOf<L> distance, float radius, ValueOf<L> width) {
     const auto cosine = L::root(L::all(1.0f - radius * radius));
     return smooth_step<L>((L::all(radius) - distance) / cosine, width);
 }
 
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> with_number(const BallParameters& ball,
-                                                 const Vec3<typename L::Value>& below,
-                                                 const Vec3<typename L::Value>& direction,
-                                                 typename L::Value width) {
+CAROM_KERNEL Vec3Of<L> with_number(const BallParameters& ball, const Vec3Of<L>& below,
+                                   const Vec3Of<L>& direction, ValueOf<L> width) {
     const auto zero = L::all(0);
     const auto distance = L::root(direction.y * direction.y + direction.z * direction.z);
     const auto disc = inside_circle<L>(distance, ball.disc_radius, width);
@@ -43,32 +40,29 @@ CAROM_KERNEL Vec3<typename L::Value> with_number(const BallParameters& ball,
     const auto middle = L::all(0.5f);
     const auto coverage = look_up_coverage<L>(
         ball.number, {middle + right * scale, middle - direction.z * scale}, width * scale);
-    const Vec3<typename L::Value> ink{L::all(0.012f), L::all(0.012f), L::all(0.013f)};
+    const Vec3Of<L> ink{L::all(0.012f), L::all(0.012f), L::all(0.013f)};
     const auto painted = mixed(below, mixed(all_of<L>(ball.white), ink, coverage), disc);
     return select<L>(is_on_disc, painted, below);
 }
 
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> with_spots(const Vec3<typename L::Value>& below,
-                                                const Vec3<typename L::Value>& direction,
-                                                typename L::Value width) {
+CAROM_KERNEL Vec3Of<L> with_spots(const Vec3Of<L>& below, const Vec3Of<L>& direction,
+                                  ValueOf<L> width) {
     const auto along =
         largest<L>({L::size(direction.x), L::size(direction.y), L::size(direction.z)});
     const auto distance = L::root(L::larger(L::all(1) - along * along, L::all(0)));
-    const Vec3<typename L::Value> spot{L::all(0.52f), L::all(0.02f), L::all(0.018f)};
+    const Vec3Of<L> spot{L::all(0.52f), L::all(0.02f), L::all(0.018f)};
     return mixed(below, spot, inside_circle<L>(distance, BallLook::kSpotRadius, width));
 }
 
 /// `position`: in the ball's own axes, not 0; `footprint`: width of a pixel there, m.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> ball_colour(const BallParameters& ball,
-                                                 const Vec3<typename L::Value>& position,
-                                                 typename L::Value footprint) {
+CAROM_KERNEL Vec3Of<L> ball_colour(const BallParameters& ball, const Vec3Of<L>& position,
+                                   ValueOf<L> footprint) {
     const auto radius = L::root(dot(position, position));
-    const Vec3<typename L::Value> direction{position.x / radius, position.y / radius,
-                                            position.z / radius};
+    const Vec3Of<L> direction{position.x / radius, position.y / radius, position.z / radius};
     const auto width = limited<L>(footprint / radius, BallLook::kFinest, 2);
-    Vec3<typename L::Value> result = all_of<L>(ball.colour);
+    Vec3Of<L> result = all_of<L>(ball.colour);
     if (ball.is_striped) {
         const auto band = inside_circle<L>(L::size(direction.z), BallLook::kBandHalfWidth, width);
         result = mixed(all_of<L>(ball.white), result, band);

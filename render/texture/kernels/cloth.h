@@ -16,32 +16,31 @@ struct ClothLook {
 
 template <class L>
 struct ClothValueOf {
-    Vec3<typename L::Value> colour;
-    Vec2<typename L::Value> slope;
+    Vec3Of<L> colour;
+    Vec2Of<L> slope;
 };
 
 template <class L>
 struct TilePlaceOf {
-    Vec2<typename L::Value> uv;
-    typename L::Value footprint;  // in units of uv of the longer side
+    Vec2Of<L> uv;
+    ValueOf<L> footprint;  // in units of uv of the longer side
 };
 
 /// Where a place (m) is on a repeating tile of `width` by `height` m.
 template <class L>
-CAROM_KERNEL TilePlaceOf<L> place_on_tile(const Vec2<typename L::Value>& place, float width,
-                                          float height, typename L::Value footprint) {
+CAROM_KERNEL TilePlaceOf<L> place_on_tile(const Vec2Of<L>& place, float width, float height,
+                                          ValueOf<L> footprint) {
     const float shorter = width < height ? width : height;
     return {{place.x / L::all(width), place.y / L::all(height)}, footprint / L::all(shorter)};
 }
 
 /// The brightness of the weave, and its slope in x and in y; 0 where it is not resolved.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> cloth_weave(const ClothParameters& cloth,
-                                                 const Vec2<typename L::Value>& place,
-                                                 typename L::Value footprint) {
+CAROM_KERNEL Vec3Of<L> cloth_weave(const ClothParameters& cloth, const Vec2Of<L>& place,
+                                   ValueOf<L> footprint) {
     using Look = ClothLook;
     const auto zero = L::all(0);
-    const Vec3<typename L::Value> nothing{zero, zero, zero};
+    const Vec3Of<L> nothing{zero, zero, zero};
     const auto weight = band_weight<L>(footprint, 1.5f * Look::kFarthest * cloth.thread);
     const auto is_seen = L::is_less(zero, weight);
     if (L::none(is_seen)) {
@@ -59,9 +58,8 @@ CAROM_KERNEL Vec3<typename L::Value> cloth_weave(const ClothParameters& cloth,
 
 /// `brightness` with `strength` times a noise, where that is seen.
 template <class L>
-CAROM_KERNEL typename L::Value with_noise(typename L::Value brightness, typename L::Mask is_seen,
-                                          typename L::Value strength, const PyramidTables& noise,
-                                          const TilePlaceOf<L>& at) {
+CAROM_KERNEL ValueOf<L> with_noise(ValueOf<L> brightness, MaskOf<L> is_seen, ValueOf<L> strength,
+                                   const PyramidTables& noise, const TilePlaceOf<L>& at) {
     if (L::none(is_seen)) {
         return brightness;
     }
@@ -73,11 +71,10 @@ CAROM_KERNEL typename L::Value with_noise(typename L::Value brightness, typename
 /// What no lane can resolve is not looked up.
 template <class L>
 CAROM_KERNEL_OUTLINED ClothValueOf<L> cloth_value(const ClothParameters& cloth,
-                                                  const Vec2<typename L::Value>& place,
-                                                  typename L::Value footprint) {
+                                                  const Vec2Of<L>& place, ValueOf<L> footprint) {
     using Look = ClothLook;
     const auto zero = L::all(0);
-    const Vec3<typename L::Value> weave = cloth_weave<L>(cloth, place, footprint);
+    const Vec3Of<L> weave = cloth_weave<L>(cloth, place, footprint);
     const auto nap = band_weight<L>(footprint, Look::kNapWidth);
     auto brightness =
         with_noise<L>(weave.x, L::is_less(zero, nap), L::all(Look::kNapStrength) * nap, cloth.nap,

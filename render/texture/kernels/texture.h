@@ -4,37 +4,35 @@
 /// What textures read of a SurfacePoint.
 template <class L>
 struct TexturePointOf {
-    Vec3<typename L::Value> object_position;
-    Vec3<typename L::Value> geometric_normal;
-    Vec2<typename L::Value> uv;
-    typename L::Value uv_per_metre;
-    Vec2<typename L::Value> uv_metres;
+    Vec3Of<L> object_position;
+    Vec3Of<L> geometric_normal;
+    Vec2Of<L> uv;
+    ValueOf<L> uv_per_metre;
+    Vec2Of<L> uv_metres;
 };
 
 /// The axis that a surface faces most: flat patterns are laid along the two others. Otherwise it
 /// faces y.
 template <class L>
 struct FacedAxisOf {
-    typename L::Mask is_x, is_z;  // not both
+    MaskOf<L> is_x, is_z;  // not both
 };
 
 template <class L>
-CAROM_KERNEL FacedAxisOf<L> facing_axis(const Vec3<typename L::Value>& normal) {
-    const Vec3<typename L::Value> a{L::size(normal.x), L::size(normal.y), L::size(normal.z)};
+CAROM_KERNEL FacedAxisOf<L> facing_axis(const Vec3Of<L>& normal) {
+    const Vec3Of<L> a{L::size(normal.x), L::size(normal.y), L::size(normal.z)};
     const auto is_z = L::both(L::is_at_most(a.x, a.z), L::is_at_most(a.y, a.z));
     return {L::both(L::opposite(is_z), L::is_at_most(a.y, a.x)), is_z};
 }
 
 template <class L>
-CAROM_KERNEL Vec2<typename L::Value> flat_place(const Vec3<typename L::Value>& p,
-                                                const FacedAxisOf<L>& axis) {
+CAROM_KERNEL Vec2Of<L> flat_place(const Vec3Of<L>& p, const FacedAxisOf<L>& axis) {
     return {L::select(axis.is_x, p.y, p.x), L::select(axis.is_z, p.y, p.z)};
 }
 
 /// The inverse of flat_place, in the plane through the origin.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> lay_flat(const Vec2<typename L::Value>& v,
-                                              const FacedAxisOf<L>& axis) {
+CAROM_KERNEL Vec3Of<L> lay_flat(const Vec2Of<L>& v, const FacedAxisOf<L>& axis) {
     const auto zero = L::all(0);
     return {L::select(axis.is_x, zero, v.x),
             L::select(axis.is_x, v.x, L::select(axis.is_z, v.y, zero)),
@@ -42,10 +40,9 @@ CAROM_KERNEL Vec3<typename L::Value> lay_flat(const Vec2<typename L::Value>& v,
 }
 
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> image_colour(const ImageParameters& image,
-                                                  const TexturePointOf<L>& point,
-                                                  typename L::Value footprint) {
-    Vec2<typename L::Value> at = point.uv;
+CAROM_KERNEL Vec3Of<L> image_colour(const ImageParameters& image, const TexturePointOf<L>& point,
+                                    ValueOf<L> footprint) {
+    Vec2Of<L> at = point.uv;
     auto scale = point.uv_per_metre;
     if (image.by_size) {
         at = {at.x * point.uv_metres.x, at.y * point.uv_metres.y};
@@ -61,10 +58,9 @@ CAROM_KERNEL Vec3<typename L::Value> image_colour(const ImageParameters& image,
 
 /// The colour of a texture, not yet limited to [0, 1]. `footprint`: width of a pixel, m.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> colour_of(const TextureData& texture,
-                                               const TexturePointOf<L>& point,
-                                               typename L::Value footprint) {
-    const Vec3<typename L::Value>& place = point.object_position;
+CAROM_KERNEL Vec3Of<L> colour_of(const TextureData& texture, const TexturePointOf<L>& point,
+                                 ValueOf<L> footprint) {
+    const Vec3Of<L>& place = point.object_position;
     switch (texture.kind) {
         case TextureKind::image:
             return image_colour<L>(texture.image, point, footprint);
@@ -87,15 +83,14 @@ CAROM_KERNEL Vec3<typename L::Value> colour_of(const TextureData& texture,
 
 template <class L>
 struct TextureReliefOf {
-    Vec3<typename L::Value> colour;
-    Vec3<typename L::Value> normal_shift;
+    Vec3Of<L> colour;
+    Vec3Of<L> normal_shift;
 };
 
 /// `texture`: of a Texture that has relief.
 template <class L>
 CAROM_KERNEL TextureReliefOf<L> relief_of(const TextureData& texture,
-                                          const TexturePointOf<L>& point,
-                                          typename L::Value footprint) {
+                                          const TexturePointOf<L>& point, ValueOf<L> footprint) {
     const FacedAxisOf<L> axis = facing_axis<L>(point.geometric_normal);
     const ClothValueOf<L> value =
         cloth_value<L>(texture.cloth, flat_place<L>(point.object_position, axis), footprint);

@@ -20,7 +20,7 @@ struct WoodLook {
 /// Darkness in [0, 1] across one ring: earlywood darkens slowly towards the latewood line, which
 /// ends over the last sixth.
 template <class L>
-CAROM_KERNEL typename L::Value ring_darkness(typename L::Value fraction) {
+CAROM_KERNEL ValueOf<L> ring_darkness(ValueOf<L> fraction) {
     const auto past = fraction - L::all(0.84f);
     return L::select(L::is_less(fraction, L::all(0.84f)), fraction * fraction * L::all(1.42f),
                      L::larger(L::all(1) - past * past * L::all(39), L::all(0)));
@@ -29,27 +29,25 @@ CAROM_KERNEL typename L::Value ring_darkness(typename L::Value fraction) {
 /// Streaks along the grain, `length` by `width` m, faded where a pixel cannot resolve them.
 /// `place`: along the grain and twice across.
 template <class L>
-CAROM_KERNEL typename L::Value streaks(const Vec3<typename L::Value>& place, float length,
-                                       float width, typename L::Value footprint,
-                                       std::uint32_t seed) {
+CAROM_KERNEL ValueOf<L> streaks(const Vec3Of<L>& place, float length, float width,
+                                ValueOf<L> footprint, std::uint32_t seed) {
     const auto weight = band_weight<L>(footprint, 2.0f * width);
     const auto is_seen = L::is_less(L::all(0), weight);
     if (L::none(is_seen)) {
         return L::all(0);
     }
-    const Vec3<typename L::Value> scaled{place.x / L::all(length), place.y / L::all(width),
-                                         place.z / L::all(width)};
+    const Vec3Of<L> scaled{place.x / L::all(length), place.y / L::all(width),
+                           place.z / L::all(width)};
     return L::select(is_seen, weight * gradient_noise<L>(scaled, seed), L::all(0));
 }
 
 template <class L>
 struct WoodStreaksOf {
-    typename L::Value fine, coarse, pore;
+    ValueOf<L> fine, coarse, pore;
 };
 
 template <class L>
-CAROM_KERNEL WoodStreaksOf<L> wood_streaks(const Vec3<typename L::Value>& place,
-                                           typename L::Value footprint) {
+CAROM_KERNEL WoodStreaksOf<L> wood_streaks(const Vec3Of<L>& place, ValueOf<L> footprint) {
     using Look = WoodLook;
     return {streaks<L>(place, Look::kFibreLength, Look::kFibreWidth, footprint, Look::kFibreSeed),
             streaks<L>(place, 4.0f * Look::kFibreLength, 4.5f * Look::kFibreWidth, footprint,
@@ -60,12 +58,10 @@ CAROM_KERNEL WoodStreaksOf<L> wood_streaks(const Vec3<typename L::Value>& place,
 /// The place in the trunk. The trunk is bent and its rings are not round; the pith runs below and
 /// beside the piece, so that flat arches appear next to straight grain.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> place_in_trunk(const Vec3<typename L::Value>& place,
-                                                    float ring) {
+CAROM_KERNEL Vec3Of<L> place_in_trunk(const Vec3Of<L>& place, float ring) {
     using Look = WoodLook;
     const auto bend = L::all(0.012f);
-    const Vec3<typename L::Value> slow{place.x * L::all(0.9f), place.y * L::all(4),
-                                       place.z * L::all(4)};
+    const Vec3Of<L> slow{place.x * L::all(0.9f), place.y * L::all(4), place.z * L::all(4)};
     return {place.x,
             place.y + (bend * gradient_noise<L>(slow, Look::kBendSeed) + L::all(3.1f * ring)),
             place.z + (bend * gradient_noise<L>(slow, Look::kBendSeed + 1) + L::all(9.3f * ring))};
@@ -73,15 +69,13 @@ CAROM_KERNEL Vec3<typename L::Value> place_in_trunk(const Vec3<typename L::Value
 
 /// `footprint`: width of a pixel, m.
 template <class L>
-CAROM_KERNEL_OUTLINED Vec3<typename L::Value> wood_colour(const WoodParameters& wood,
-                                                          const Vec3<typename L::Value>& position,
-                                                          typename L::Value footprint) {
+CAROM_KERNEL_OUTLINED Vec3Of<L> wood_colour(const WoodParameters& wood, const Vec3Of<L>& position,
+                                            ValueOf<L> footprint) {
     using Look = WoodLook;
-    const Vec3<typename L::Value> place{dot(position, all_of<L>(wood.along)),
-                                        dot(position, all_of<L>(wood.across)),
-                                        dot(position, all_of<L>(wood.up))};
+    const Vec3Of<L> place{dot(position, all_of<L>(wood.along)),
+                          dot(position, all_of<L>(wood.across)), dot(position, all_of<L>(wood.up))};
     const WoodStreaksOf<L> streak = wood_streaks<L>(place, footprint);
-    const Vec3<typename L::Value> trunk = place_in_trunk<L>(place, wood.ring);
+    const Vec3Of<L> trunk = place_in_trunk<L>(place, wood.ring);
     const auto wobble =
         L::all(0.7f) *
         gradient_noise<L>({trunk.x * L::all(2.5f), trunk.y * L::all(30), trunk.z * L::all(30)},
@@ -97,8 +91,7 @@ CAROM_KERNEL_OUTLINED Vec3<typename L::Value> wood_colour(const WoodParameters& 
     darkness = darkness + band_weight<L>(footprint, wood.ring) *
                               (ring_darkness<L>(rings - index) - L::all(Look::kMeanOfRing)) *
                               (L::all(0.30f) + L::all(0.35f) * tone);
-    const Vec3<typename L::Value> broad{trunk.x * L::all(2), trunk.y * L::all(14),
-                                        trunk.z * L::all(14)};
+    const Vec3Of<L> broad{trunk.x * L::all(2), trunk.y * L::all(14), trunk.z * L::all(14)};
     darkness = darkness +
                L::all(0.26f) * fractal_noise<L>(broad, 2, footprint * L::all(14), Look::kBroadSeed);
     darkness =

@@ -2,8 +2,8 @@
 
 /// The weight of the environment's light for paths that left the scene (light_hits.h).
 template <class L>
-CAROM_KERNEL typename L::Value weight_of_environment(const WaveScene& scene, const PathQueue& paths,
-                                                     typename L::Int path, typename L::Value pdf) {
+CAROM_KERNEL ValueOf<L> weight_of_environment(const WaveScene& scene, const PathQueue& paths,
+                                              IntOf<L> path, ValueOf<L> pdf) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const auto is_delta = L::is_equal_int(gather<L>(paths.is_delta, path), L::all_int(1));
@@ -30,10 +30,10 @@ template <class L>
 CAROM_KERNEL void shade_background(const WaveScene& scene, const PathQueue& paths,
                                    const EscapedQueue& missed, int first) {
     const auto path = load<L>(missed.paths.at, first);
-    const Vec3<typename L::Value> direction = gather<L>(paths.direction, path);
-    const Vec2<typename L::Value> uv = environment_uv<L>(scene.sky, direction);
+    const Vec3Of<L> direction = gather<L>(paths.direction, path);
+    const Vec2Of<L> uv = environment_uv<L>(scene.sky, direction);
     const auto pdf = environment_pdf<L>(scene.sky, direction, uv);
-    const Vec3<typename L::Value> radiance =
+    const Vec3Of<L> radiance =
         environment_radiance<L>(scene.sky, uv) * weight_of_environment<L>(scene, paths, path, pdf);
     store<L>(gather<L>(paths.throughput, path) * radiance, missed.light, first);
 }

@@ -5,7 +5,7 @@
 inline constexpr std::uint32_t kLightSets = 0x9e3779b9u;
 
 template <class L>
-CAROM_KERNEL typename L::Word child_of(typename L::Word node, typename L::Word child) {
+CAROM_KERNEL WordOf<L> child_of(WordOf<L> node, WordOf<L> child) {
     auto x = node * L::all_word(0x85ebca6bu) + child + L::all_word(0x165667b1u);
     x = (x ^ L::template shifted_right<15>(x)) * L::all_word(0x2c1b3c6du);
     return x ^ L::template shifted_right<13>(x);
@@ -15,13 +15,13 @@ CAROM_KERNEL typename L::Word child_of(typename L::Word node, typename L::Word c
 template <class L>
 struct DistributedVertexOf {
     int first;
-    typename L::Mask valid, from_behind;
-    typename L::Int ray, slot;
-    Vec3<typename L::Value> position, geometric_normal, normal, base;
-    Vec3<typename L::Value> wo;  // towards the viewer
-    Vec3<typename L::Value> throughput;
-    typename L::Value time;
-    typename L::Word node;
+    MaskOf<L> valid, from_behind;
+    IntOf<L> ray, slot;
+    Vec3Of<L> position, geometric_normal, normal, base;
+    Vec3Of<L> wo;  // towards the viewer
+    Vec3Of<L> throughput;
+    ValueOf<L> time;
+    WordOf<L> node;
     ClassicOf<L> model;
     SamplerOf<L> sampler;
 };
@@ -32,7 +32,7 @@ CAROM_KERNEL DistributedVertexOf<L> distributed_vertex_at(const DistributedStep&
     const auto valid = L::first_lanes(in.count - first);
     const auto ray = load<L>(in.path, first);
     const auto slot = gather<L>(step.rays.slot, ray);
-    const Vec3<typename L::Value> direction = gather<L>(step.rays.direction, ray);
+    const Vec3Of<L> direction = gather<L>(step.rays.direction, ray);
     const auto material = materials_of<L>(in, first, valid);
     ClassicOf<L> model;
     set_numbers<L>(
@@ -58,8 +58,7 @@ CAROM_KERNEL DistributedVertexOf<L> distributed_vertex_at(const DistributedStep&
 /// The rays towards one light, which are `count`. Returns the number of the next ray.
 template <class L>
 CAROM_KERNEL int shade_by_light(const DistributedStep& step, const DistributedVertexOf<L>& v,
-                                const WaveLight& light, const Vec2<typename L::Value>& u, int count,
-                                int k) {
+                                const WaveLight& light, const Vec2Of<L>& u, int count, int k) {
     const auto zero = L::all(0);
     const PlaceOf<L> place{v.position, v.time};
     const auto share = L::all(kInversePi / static_cast<float>(count));
@@ -69,10 +68,9 @@ CAROM_KERNEL int shade_by_light(const DistributedStep& step, const DistributedVe
         const auto is_above = L::both(L::is_less(zero, dot(v.normal, found.direction)),
                                       L::is_less(zero, dot(v.geometric_normal, found.direction)));
         const auto emits = L::both(L::both(v.valid, found.valid), is_above);
-        const Vec3<typename L::Value> scattered =
+        const Vec3Of<L> scattered =
             classic_towards<L>(v.model, v.base, v.normal, v.wo, found.direction);
-        const Vec3<typename L::Value> value =
-            v.throughput * scattered * found.radiance * (share / found.pdf);
+        const Vec3Of<L> value = v.throughput * scattered * found.radiance * (share / found.pdf);
         put_rays<L>(step.shadows, k, v.first, found, value,
                     L::both(emits, L::is_less(zero, largest<L>(value))));
     }
@@ -84,14 +82,13 @@ template <class L>
 CAROM_KERNEL void shade_rays(const DistributedStep& step, int first) {
     const auto zero = L::all(0);
     const DistributedVertexOf<L> v = distributed_vertex_at<L>(step, first);
-    const Vec3<typename L::Value> emitted =
-        select<L>(v.from_behind, {zero, zero, zero}, v.model.emission);
+    const Vec3Of<L> emitted = select<L>(v.from_behind, {zero, zero, zero}, v.model.emission);
     store<L>(v.throughput * (emitted + v.model.ambient_colour(v.base) * L::all(step.ambient)),
              step.own, first);
     const auto offset = load<L>(step.vertices.offset, first);
     store<L>(v.position + v.geometric_normal * offset, step.shadows.origin, first);
     store<L>(v.time, step.shadows.time, first);
-    typename L::Value numbers[4];
+    ValueOf<L> numbers[4];
     int k = 0;
     for (int index = 0; index < step.scene.lights.count(); ++index) {
         const WaveLight& light = step.scene.lights[index];
@@ -101,7 +98,7 @@ CAROM_KERNEL void shade_rays(const DistributedStep& step, int first) {
                              numbers);
         }
         const int pair_at = 2 * (index % 2);
-        Vec2<typename L::Value> u{numbers[pair_at], numbers[pair_at + 1]};
+        Vec2Of<L> u{numbers[pair_at], numbers[pair_at + 1]};
         if (step.counts.centred) {
             // Both coordinates of a rectangle, the axis of a sphere's cone.
             u = {L::all(light.is_round ? 0.F : 0.5F), L::all(0.5F)};
@@ -115,18 +112,17 @@ CAROM_KERNEL void shade_rays(const DistributedStep& step, int first) {
 /// A direction of a lobe, with its cosine to the axis.
 template <class L>
 struct LobeRayOf {
-    Vec3<typename L::Value> direction;  // around +z
-    typename L::Value weight;
+    Vec3Of<L> direction;  // around +z
+    ValueOf<L> weight;
 };
 
 template <class L>
-CAROM_KERNEL LobeRayOf<L> lobe_ray(const Vec2<typename L::Value>& numbers, int k, int samples,
-                                   typename L::Value spread, typename L::Value most,
-                                   typename L::Mask spreads) {
+CAROM_KERNEL LobeRayOf<L> lobe_ray(const Vec2Of<L>& numbers, int k, int samples, ValueOf<L> spread,
+                                   ValueOf<L> most, MaskOf<L> spreads) {
     const auto one = L::all(1);
-    const Vec2<typename L::Value> u = lattice_point<L>(numbers, k, samples);
-    const Vec3<typename L::Value> along{L::all(0), L::all(0), one};
-    const Vec3<typename L::Value> direction = select<L>(
+    const Vec2Of<L> u = lattice_point<L>(numbers, k, samples);
+    const Vec3Of<L> along{L::all(0), L::all(0), one};
+    const Vec3Of<L> direction = select<L>(
         spreads, sample_gaussian_lobe<L>(u, L::select(spreads, spread, one), most), along);
     return {direction, direction.z};
 }
@@ -134,14 +130,14 @@ CAROM_KERNEL LobeRayOf<L> lobe_ray(const Vec2<typename L::Value>& numbers, int k
 /// The random numbers of a lobe's rays, and the place in the tree of which they are children.
 template <class L>
 struct LobeNumbersOf {
-    Vec2<typename L::Value> u;
-    typename L::Word branch;
+    Vec2Of<L> u;
+    WordOf<L> branch;
 };
 
 template <class L>
 CAROM_KERNEL LobeNumbersOf<L> numbers_of_lobe(const DistributedVertexOf<L>& v, float side) {
     const auto branch = child_of<L>(v.node, L::all_word(side > 0 ? 0 : 1));
-    typename L::Value u[4];
+    ValueOf<L> u[4];
     v.sampler.get_4d(branch, u);
     return {{u[0], u[1]}, branch};
 }
@@ -150,8 +146,7 @@ CAROM_KERNEL LobeNumbersOf<L> numbers_of_lobe(const DistributedVertexOf<L>& v, f
 /// lane sends.
 template <class L>
 CAROM_KERNEL int find_lobe(const DistributedVertexOf<L>& v, const ClassicLobeOf<L>& lobe,
-                           typename L::Value spread, typename L::Value most, int samples,
-                           const LobeWave& out) {
+                           ValueOf<L> spread, ValueOf<L> most, int samples, const LobeWave& out) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const auto exists = L::both(L::both(v.valid, L::is_less(zero, largest<L>(lobe.colour))),
@@ -161,7 +156,7 @@ CAROM_KERNEL int find_lobe(const DistributedVertexOf<L>& v, const ClassicLobeOf<
     const bool any_spreads = !L::none(spreads);
     auto sum = one;
     if (any_spreads) {
-        const Vec2<typename L::Value> u = numbers_of_lobe<L>(v, out.side).u;
+        const Vec2Of<L> u = numbers_of_lobe<L>(v, out.side).u;
         auto weights = zero;
         for (int k = 0; k < samples; ++k) {
             weights = weights + lobe_ray<L>(u, k, samples, spread, most, spreads).weight;
@@ -198,11 +193,11 @@ CAROM_KERNEL LobeRays find_lobes(const DistributedStep& step, int first) {
 /// A ray that a vertex sends: what PathQueue has of it here.
 template <class L>
 struct SentRayOf {
-    typename L::Int slot, branch;
-    Vec3<typename L::Value> origin, direction;
-    typename L::Value time;
-    Vec3<typename L::Value> throughput;
-    typename L::Value cone_width, cone_spread;
+    IntOf<L> slot, branch;
+    Vec3Of<L> origin, direction;
+    ValueOf<L> time;
+    Vec3Of<L> throughput;
+    ValueOf<L> cone_width, cone_spread;
 };
 
 /// The `k`th rays of a lobe. `next` takes them and the lanes that send one.
@@ -220,20 +215,20 @@ CAROM_KERNEL void send_rays(const DistributedStep& step, const LobeWave& lobe, i
     const auto spreads = L::is_less(zero, spread);
     const LobeNumbersOf<L> numbers = numbers_of_lobe<L>(v, lobe.side);
     const int samples = L::none(spreads) ? 1 : lobe.samples;
-    const Vec3<typename L::Value> axis = load<L>(lobe.axis, first);
-    const Vec3<typename L::Value> outside = v.geometric_normal * L::all(lobe.side);
+    const Vec3Of<L> axis = load<L>(lobe.axis, first);
+    const Vec3Of<L> outside = v.geometric_normal * L::all(lobe.side);
     LobeRayOf<L> ray{{zero, zero, L::all(1)}, L::all(1)};
     SentRayOf<L> sent;
     sent.direction = axis;
     if (samples > 1) {
         ray = lobe_ray<L>(numbers.u, k, samples, spread, load<L>(lobe.most, first), spreads);
         const BasisOf<L> basis = basis_around<L>(axis);
-        const Vec3<typename L::Value> turned{L::opposite_sign(ray.direction.x),
-                                             L::opposite_sign(ray.direction.y), ray.direction.z};
-        const Vec3<typename L::Value> near = unit<L>(basis.to_world(ray.direction));
+        const Vec3Of<L> turned{L::opposite_sign(ray.direction.x), L::opposite_sign(ray.direction.y),
+                               ray.direction.z};
+        const Vec3Of<L> near = unit<L>(basis.to_world(ray.direction));
         // A ray that would pass to the wrong side is turned to the opposite azimuth.
         const auto stays = L::is_less(zero, dot(near, outside));
-        const Vec3<typename L::Value> far = unit<L>(basis.to_world(turned));
+        const Vec3Of<L> far = unit<L>(basis.to_world(turned));
         sent.direction = select<L>(spreads, select<L>(stays, near, far), axis);
     }
     const auto cone = gather<L>(step.rays.cone_spread, v.ray);

@@ -3,20 +3,19 @@
 /// Where light is gathered.
 template <class L>
 struct PlaceOf {
-    Vec3<typename L::Value> position;
-    typename L::Value time;
+    Vec3Of<L> position;
+    ValueOf<L> time;
 };
 
 /// The body of an emissive object at each path's time.
 template <class L>
-CAROM_KERNEL BodyOf<L> body_of(const WaveLight& light, typename L::Value time) {
+CAROM_KERNEL BodyOf<L> body_of(const WaveLight& light, ValueOf<L> time) {
     return body_at<L>(light.motion, light.is_round, time);
 }
 
 template <class L>
-CAROM_KERNEL typename L::Value importance_of(const WaveScene& scene, const WaveLight& light,
-                                             const PlaceOf<L>& place,
-                                             const Vec3<typename L::Value>& normal) {
+CAROM_KERNEL ValueOf<L> importance_of(const WaveScene& scene, const WaveLight& light,
+                                      const PlaceOf<L>& place, const Vec3Of<L>& normal) {
     switch (light.kind) {
         case WaveLight::Kind::area:
             return importance_of_area_light<L>(light.area, place.position, normal);
@@ -40,8 +39,7 @@ CAROM_KERNEL typename L::Value importance_of(const WaveScene& scene, const WaveL
 }
 
 template <class L>
-CAROM_KERNEL LightSampleOf<L> sample_sky(const EnvironmentPicture& sky,
-                                         const Vec2<typename L::Value>& u) {
+CAROM_KERNEL LightSampleOf<L> sample_sky(const EnvironmentPicture& sky, const Vec2Of<L>& u) {
     const EnvironmentSampleOf<L> found = sample_environment_map<L>(sky, u);
     return {found.direction, L::all(kInfinity), found.pdf, environment_radiance<L>(sky, found.uv),
             found.valid};
@@ -50,10 +48,9 @@ CAROM_KERNEL LightSampleOf<L> sample_sky(const EnvironmentPicture& sky,
 /// Not inlined: the shapes' code is long.
 template <class L>
 CAROM_KERNEL_OUTLINED LightSampleOf<L> sample_object(const WaveLight& light,
-                                                     const PlaceOf<L>& place,
-                                                     const Vec2<typename L::Value>& u) {
+                                                     const PlaceOf<L>& place, const Vec2Of<L>& u) {
     const BodyOf<L> body = body_of<L>(light, place.time);
-    const Vec3<typename L::Value> point = body.point(place.position);
+    const Vec3Of<L> point = body.point(place.position);
     LightSampleOf<L> found = light.kind == WaveLight::Kind::flat_object
                                  ? sample_surface<L>(light.surface, point, u)
                                  : sample_shape<L>(light.shape, point, u);
@@ -63,8 +60,7 @@ CAROM_KERNEL_OUTLINED LightSampleOf<L> sample_object(const WaveLight& light,
 
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_light(const WaveScene& scene, const WaveLight& light,
-                                           const PlaceOf<L>& place,
-                                           const Vec2<typename L::Value>& u) {
+                                           const PlaceOf<L>& place, const Vec2Of<L>& u) {
     switch (light.kind) {
         case WaveLight::Kind::area:
             return sample_area_light<L>(light.area, place.position, u);
@@ -88,16 +84,15 @@ CAROM_KERNEL LightSampleOf<L> sample_light(const WaveScene& scene, const WaveLig
 /// all weights up to it (PBR, section A.2).
 template <class L>
 struct LightChoiceOf {
-    typename L::Int light;
-    typename L::Value probability;
-    typename L::Value total;  // 0: none
-    typename L::Value u;
+    IntOf<L> light;
+    ValueOf<L> probability;
+    ValueOf<L> total;  // 0: none
+    ValueOf<L> u;
 };
 
 template <class L>
 CAROM_KERNEL LightChoiceOf<L> choose_light(const WaveScene& scene, const PlaceOf<L>& place,
-                                           const Vec3<typename L::Value>& normal,
-                                           typename L::Value u) {
+                                           const Vec3Of<L>& normal, ValueOf<L> u) {
     const auto zero = L::all(0);
     LightChoiceOf<L> choice{L::all_int(-1), zero, zero, u};
     auto chosen = zero;

@@ -2,48 +2,47 @@
 // render/lanes/kernels/vectors.h is. `i`: the place of the first lane; the others follow it.
 
 template <class L>
-CAROM_KERNEL typename L::Value load(const Floats& numbers, int i) {
+CAROM_KERNEL ValueOf<L> load(const Floats& numbers, int i) {
     return L::load(numbers.at + i);
 }
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> load(const Floats3& numbers, int i) {
+CAROM_KERNEL Vec3Of<L> load(const Floats3& numbers, int i) {
     return {load<L>(numbers.x, i), load<L>(numbers.y, i), load<L>(numbers.z, i)};
 }
 template <class L>
-CAROM_KERNEL typename L::Int load(const Words& words, int i) {
+CAROM_KERNEL IntOf<L> load(const Words& words, int i) {
     return L::load_int(words.at + i);
 }
 
 template <class L>
-CAROM_KERNEL void store(typename L::Value value, const Floats& numbers, int i) {
+CAROM_KERNEL void store(ValueOf<L> value, const Floats& numbers, int i) {
     L::store(value, numbers.at + i);
 }
 template <class L>
-CAROM_KERNEL void store(const Vec3<typename L::Value>& value, const Floats3& numbers, int i) {
+CAROM_KERNEL void store(const Vec3Of<L>& value, const Floats3& numbers, int i) {
     store<L>(value.x, numbers.x, i);
     store<L>(value.y, numbers.y, i);
     store<L>(value.z, numbers.z, i);
 }
 template <class L>
-CAROM_KERNEL void store(typename L::Int value, const Words& words, int i) {
+CAROM_KERNEL void store(IntOf<L> value, const Words& words, int i) {
     L::store_int(value, words.at + i);
 }
 
 template <class L>
-CAROM_KERNEL typename L::Value gather(const Floats& numbers, typename L::Int index) {
+CAROM_KERNEL ValueOf<L> gather(const Floats& numbers, IntOf<L> index) {
     return L::gather(numbers.at, index);
 }
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> gather(const Floats3& numbers, typename L::Int index) {
+CAROM_KERNEL Vec3Of<L> gather(const Floats3& numbers, IntOf<L> index) {
     return {gather<L>(numbers.x, index), gather<L>(numbers.y, index), gather<L>(numbers.z, index)};
 }
 template <class L>
-CAROM_KERNEL typename L::Int gather(const Words& words, typename L::Int index) {
+CAROM_KERNEL IntOf<L> gather(const Words& words, IntOf<L> index) {
     return L::gather_int(words.at, index);
 }
 template <class L>
-CAROM_KERNEL void scatter(const Vec3<typename L::Value>& value, const Floats3& numbers,
-                          typename L::Int index) {
+CAROM_KERNEL void scatter(const Vec3Of<L>& value, const Floats3& numbers, IntOf<L> index) {
     L::scatter(value.x, numbers.x.at, index);
     L::scatter(value.y, numbers.y.at, index);
     L::scatter(value.z, numbers.z.at, index);
@@ -51,19 +50,18 @@ CAROM_KERNEL void scatter(const Vec3<typename L::Value>& value, const Floats3& n
 
 /// A row of numbers, and three rows, at each lane's index.
 template <class L>
-CAROM_KERNEL typename L::Value gather(const NumberRows& rows, int row, typename L::Int index) {
+CAROM_KERNEL ValueOf<L> gather(const NumberRows& rows, int row, IntOf<L> index) {
     return L::gather(rows.row(row), index);
 }
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> gather_vector(const NumberRows& rows, int row,
-                                                   typename L::Int index) {
+CAROM_KERNEL Vec3Of<L> gather_vector(const NumberRows& rows, int row, IntOf<L> index) {
     return {gather<L>(rows, row, index), gather<L>(rows, row + 1, index),
             gather<L>(rows, row + 2, index)};
 }
 
 /// The random numbers of the camera samples in the slots of a wave.
 template <class L>
-CAROM_KERNEL SamplerOf<L> sampler_of(const CameraSamples& samples, typename L::Int slot) {
+CAROM_KERNEL SamplerOf<L> sampler_of(const CameraSamples& samples, IntOf<L> slot) {
     return SamplerOf<L>(L::to_word(gather<L>(samples.pixel_hash, slot)),
                         L::to_word(gather<L>(samples.reversed_sample, slot)));
 }

@@ -2,7 +2,7 @@
 
 /// PathDimensions::vertex_index.
 template <class L>
-CAROM_KERNEL typename L::Word vertex_index_of(const PathQueue& paths, typename L::Int path) {
+CAROM_KERNEL WordOf<L> vertex_index_of(const PathQueue& paths, IntOf<L> path) {
     const auto branch = L::to_word(gather<L>(paths.branch, path));
     return L::template shifted_left<kVertexBits>(branch) +
            L::all_word(static_cast<std::uint32_t>(paths.vertex));
@@ -10,13 +10,13 @@ CAROM_KERNEL typename L::Word vertex_index_of(const PathQueue& paths, typename L
 
 /// Which of the paths continue; divides their throughput by the probability.
 template <class L>
-CAROM_KERNEL typename L::Mask survivors_of(const CameraSamples& samples, const PathQueue& paths,
-                                           typename L::Int path) {
+CAROM_KERNEL MaskOf<L> survivors_of(const CameraSamples& samples, const PathQueue& paths,
+                                    IntOf<L> path) {
     const auto sampler = sampler_of<L>(samples, gather<L>(paths.slot, path));
     const auto index = vertex_index_of<L>(paths, path);
-    typename L::Value u[4];
+    ValueOf<L> u[4];
     sampler.get_4d(index + index + L::all_word(1), u);
-    const Vec3<typename L::Value> throughput = gather<L>(paths.throughput, path);
+    const Vec3Of<L> throughput = gather<L>(paths.throughput, path);
     const auto survival = survival_of<L>(throughput);
     scatter<L>({throughput.x / survival, throughput.y / survival, throughput.z / survival},
                paths.throughput, path);

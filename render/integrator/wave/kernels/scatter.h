@@ -3,29 +3,29 @@
 /// A path that continues from a vertex: what PathQueue has of it.
 template <class L>
 struct ContinuingPathOf {
-    typename L::Int slot, branch;
-    Vec3<typename L::Value> origin, direction;
-    typename L::Value time;
-    Vec3<typename L::Value> throughput;
-    typename L::Value cone_width, cone_spread;
-    Vec3<typename L::Value> last_position, last_normal;
-    typename L::Value pdf, total_importance, environment_samples;
-    typename L::Int is_delta, connects, connected_sphere, entered_sphere;
+    IntOf<L> slot, branch;
+    Vec3Of<L> origin, direction;
+    ValueOf<L> time;
+    Vec3Of<L> throughput;
+    ValueOf<L> cone_width, cone_spread;
+    Vec3Of<L> last_position, last_normal;
+    ValueOf<L> pdf, total_importance, environment_samples;
+    IntOf<L> is_delta, connects, connected_sphere, entered_sphere;
 };
 
 /// What continues from the vertices whatever their directions.
 template <class L>
 struct ContinuationOf {
-    typename L::Value cone_width, cone_spread;
-    typename L::Int branch;
-    typename L::Mask by_chance;   // either the coat or the base is followed
-    typename L::Mask takes_coat;  // the coat, by chance
+    ValueOf<L> cone_width, cone_spread;
+    IntOf<L> branch;
+    MaskOf<L> by_chance;   // either the coat or the base is followed
+    MaskOf<L> takes_coat;  // the coat, by chance
 };
 
 /// `u`: the number by which coat or base is chosen.
 template <class L>
 CAROM_KERNEL ContinuationOf<L> continuation_of(const WaveStep& step, const VertexOf<L>& v,
-                                               typename L::Value u) {
+                                               ValueOf<L> u) {
     ContinuationOf<L> from;
     from.cone_spread = gather<L>(step.paths.cone_spread, v.path);
     from.cone_width = gather<L>(step.paths.cone_width, v.path) +
@@ -66,13 +66,12 @@ CAROM_KERNEL void set_spheres(const WaveStep& step, const VertexOf<L>& v, const 
 /// `samples`: the number of directions taken of the part.
 template <class L, class Next>
 CAROM_KERNEL void proceed(const WaveStep& step, const VertexOf<L>& v, const ContinuationOf<L>& from,
-                          const DirectionOf<L>& to, typename L::Int branch,
-                          typename L::Value samples, typename L::Mask wanted, bool connects,
-                          const Next& next) {
+                          const DirectionOf<L>& to, IntOf<L> branch, ValueOf<L> samples,
+                          MaskOf<L> wanted, bool connects, const Next& next) {
     const auto one = L::all_int(1);
     const auto zero = L::all_int(0);
     const SideOf<L> side = side_of<L>(v.bsdf, to.world, to.wi.z);
-    const Vec3<typename L::Value> weight = to.weight * (L::all(1) / samples);
+    const Vec3Of<L> weight = to.weight * (L::all(1) / samples);
     const auto agrees =
         L::either(L::without(side.is_above, to.passes), L::both(to.passes, side.passes));
     const auto emits = L::is_less(L::all(0), largest<L>(weight));
@@ -110,15 +109,15 @@ CAROM_KERNEL void proceed(const WaveStep& step, const VertexOf<L>& v, const Cont
 template <class L, class Next>
 CAROM_KERNEL void follow_coats(const WaveStep& step, const VertexOf<L>& v,
                                const ContinuationOf<L>& from, const SamplerOf<L>& sampler,
-                               const Vec2<typename L::Value>& u, bool connects, const Next& next) {
+                               const Vec2Of<L>& u, bool connects, const Next& next) {
     const auto coats =
         L::both(L::either(v.splits, from.takes_coat), L::is_less(L::all(0), v.bsdf.lobes.coat));
     if (L::none(coats)) {
         return;
     }
-    Vec2<typename L::Value> numbers{after_choice<L>(v.bsdf, v.splits, u.x), u.y};
+    Vec2Of<L> numbers{after_choice<L>(v.bsdf, v.splits, u.x), u.y};
     if (v.bsdf.lobes.any_rough_coat) {
-        typename L::Value further[4];
+        ValueOf<L> further[4];
         sampler.get_4d(v.vertex_index + v.vertex_index + L::all_word(1), further);
         numbers = {L::select(v.splits, further[0], numbers.x),
                    L::select(v.splits, further[1], numbers.y)};
@@ -126,9 +125,9 @@ CAROM_KERNEL void follow_coats(const WaveStep& step, const VertexOf<L>& v,
     const auto twice = L::select_int(v.splits, from.branch + from.branch, from.branch);
     const int samples = v.any_gloss ? step.scene.glossy_samples : 1;
     for (int k = 0; k < samples; ++k) {
-        Vec2<typename L::Value> point = numbers;
+        Vec2Of<L> point = numbers;
         if (v.any_gloss) {
-            const Vec2<typename L::Value> shifted = lattice_point<L>(numbers, k, samples);
+            const Vec2Of<L> shifted = lattice_point<L>(numbers, k, samples);
             point = {L::select(v.shows_gloss, shifted.x, numbers.x),
                      L::select(v.shows_gloss, shifted.y, numbers.y)};
         }
@@ -141,8 +140,8 @@ CAROM_KERNEL void follow_coats(const WaveStep& step, const VertexOf<L>& v,
 /// Likewise; there is one direction.
 template <class L, class Next>
 CAROM_KERNEL void follow_base(const WaveStep& step, const VertexOf<L>& v,
-                              const ContinuationOf<L>& from, const Vec2<typename L::Value>& u,
-                              bool connects, const Next& next) {
+                              const ContinuationOf<L>& from, const Vec2Of<L>& u, bool connects,
+                              const Next& next) {
     const auto bases = L::without(v.valid, from.takes_coat);
     const DirectionOf<L> to =
         sample_base<L>(v.bsdf, v.splits, {after_choice<L>(v.bsdf, v.splits, u.x), u.y});

@@ -5,8 +5,8 @@
 
 /// The vertices that sample caustics, with the decision of caustics.cpp.
 template <class L>
-CAROM_KERNEL typename L::Mask asks_for_caustics(const WaveStep& step, const VertexOf<L>& v,
-                                                const SamplerOf<L>& sampler) {
+CAROM_KERNEL MaskOf<L> asks_for_caustics(const WaveStep& step, const VertexOf<L>& v,
+                                         const SamplerOf<L>& sampler) {
     const auto object = load<L>(step.vertices.object, v.first);
     const auto own = L::gather_int(step.scene.sphere_of_object.data(), object);
     auto total = L::all(0);
@@ -34,7 +34,7 @@ CAROM_KERNEL void shade_surfaces(const WaveStep& step, int first, const Next& ne
                           vertex < step.scene.max_bounces && step.scene.spheres.exists();
     VertexOf<L> v = vertex_at<L>(step, first);
     const auto sampler = sampler_of<L>(step.samples, gather<L>(step.paths.slot, v.path));
-    typename L::Value u[4];
+    ValueOf<L> u[4];
     sampler.get_4d(v.vertex_index + v.vertex_index, u);
     if (L::none(v.scatters)) {
         for (int k = 0; k < step.shadows.rays; ++k) {
@@ -50,7 +50,7 @@ CAROM_KERNEL void shade_surfaces(const WaveStep& step, int first, const Next& ne
     if (connects) {
         next.near_sphere(asks_for_caustics<L>(step, v, sampler));
     }
-    const Vec2<typename L::Value> of_direction{u[2], u[3]};
+    const Vec2Of<L> of_direction{u[2], u[3]};
     const ContinuationOf<L> from = continuation_of<L>(step, v, of_direction.x);
     follow_coats<L>(step, v, from, sampler, of_direction, connects, next.coat);
     follow_base<L>(step, v, from, of_direction, connects, next.base);
@@ -63,10 +63,10 @@ CAROM_KERNEL void trace_coats(const WaveStep& step, int first, const Next& next)
     if (L::none(v.splits)) {
         return;
     }
-    Vec2<typename L::Value> numbers{L::all(0), L::all(0)};
+    Vec2Of<L> numbers{L::all(0), L::all(0)};
     if (v.bsdf.lobes.any_rough_coat) {
         const auto sampler = sampler_of<L>(step.samples, gather<L>(step.paths.slot, v.path));
-        typename L::Value further[4];
+        ValueOf<L> further[4];
         sampler.get_4d(v.vertex_index + v.vertex_index + L::all_word(1), further);
         numbers = {further[0], further[1]};
     }

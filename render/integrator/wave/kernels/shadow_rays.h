@@ -5,7 +5,7 @@
 /// occluded.
 template <class L>
 CAROM_KERNEL void put_rays(const ShadowQueue& out, int k, int first, const LightSampleOf<L>& light,
-                           const Vec3<typename L::Value>& radiance, typename L::Mask is_lit) {
+                           const Vec3Of<L>& radiance, MaskOf<L> is_lit) {
     const int at = out.place(k, first);
     store<L>(light.direction, out.direction, at);
     store<L>(L::select(is_lit, light.distance * L::all(kOneMinusShadowEpsilon), L::all(0)),
@@ -16,7 +16,7 @@ CAROM_KERNEL void put_rays(const ShadowQueue& out, int k, int first, const Light
 /// Which of the `k`th shadow rays of vertices there are; after they were traced, which are not
 /// occluded.
 template <class L>
-CAROM_KERNEL typename L::Mask has_rays(const ShadowQueue& shadows, int k, int first) {
+CAROM_KERNEL MaskOf<L> has_rays(const ShadowQueue& shadows, int k, int first) {
     return L::is_less(L::all(0), load<L>(shadows.t_max, shadows.place(k, first)));
 }
 
@@ -24,10 +24,10 @@ CAROM_KERNEL typename L::Mask has_rays(const ShadowQueue& shadows, int k, int fi
 template <class L>
 CAROM_KERNEL void sum_light(const ShadowQueue& shadows, int first) {
     const auto zero = L::all(0);
-    const Vec3<typename L::Value> black{zero, zero, zero};
-    Vec3<typename L::Value> sum = black;
+    const Vec3Of<L> black{zero, zero, zero};
+    Vec3Of<L> sum = black;
     for (int k = 0; k < shadows.rays; ++k) {
-        const Vec3<typename L::Value> light = load<L>(shadows.radiance, shadows.place(k, first));
+        const Vec3Of<L> light = load<L>(shadows.radiance, shadows.place(k, first));
         sum = sum + select<L>(has_rays<L>(shadows, k, first), light, black);
     }
     store<L>(sum, shadows.sum, first);
@@ -36,18 +36,15 @@ CAROM_KERNEL void sum_light(const ShadowQueue& shadows, int first) {
 /// The weight of light that was sampled with the density `pdf`, where another way would have found
 /// it with the density `other`.
 template <class L>
-CAROM_KERNEL typename L::Value weight_of(const WaveScene& scene, typename L::Value pdf,
-                                         typename L::Value other) {
+CAROM_KERNEL ValueOf<L> weight_of(const WaveScene& scene, ValueOf<L> pdf, ValueOf<L> other) {
     return scene.strategy == DirectStrategy::both ? power_heuristic<L>(pdf, other) : L::all(1);
 }
 
 /// The light that a vertex scatters from a direction, per unit of radiance, weighted against the
 /// scattering that could have found the light. `passes`: it is beyond the surface.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> weighted_value(const WaveScene& scene, const VertexOf<L>& v,
-                                                    const Vec3<typename L::Value>& wi,
-                                                    typename L::Mask passes,
-                                                    typename L::Value light_pdf) {
+CAROM_KERNEL Vec3Of<L> weighted_value(const WaveScene& scene, const VertexOf<L>& v,
+                                      const Vec3Of<L>& wi, MaskOf<L> passes, ValueOf<L> light_pdf) {
     const LobeValueOf<L> base = base_towards<L>(v.bsdf, wi, passes);
     const auto by_base = base_probability<L>(v.bsdf, v.splits) * base.pdf;
     if (!v.bsdf.lobes.any_rough_coat) {
@@ -66,19 +63,18 @@ CAROM_KERNEL Vec3<typename L::Value> weighted_value(const WaveScene& scene, cons
 /// the light at each vertex.
 template <class L>
 CAROM_KERNEL void add_shadow_rays(const WaveStep& step, const VertexOf<L>& v,
-                                  const LightSampleOf<L>& light, typename L::Value expected,
-                                  typename L::Mask wanted, int k) {
+                                  const LightSampleOf<L>& light, ValueOf<L> expected,
+                                  MaskOf<L> wanted, int k) {
     const auto zero = L::all(0);
     const auto cosine = dot(v.bsdf.frame.z, light.direction);
     const SideOf<L> side = side_of<L>(v.bsdf, light.direction, cosine);
     const auto above = L::larger(cosine, zero);
     const auto height = v.bsdf.any_transmits ? L::select(side.passes, cosine, above) : above;
-    const Vec3<typename L::Value> wi = local_direction<L>(v, light.direction, height);
+    const Vec3Of<L> wi = local_direction<L>(v, light.direction, height);
     const auto pdf = light.pdf * expected;
     const auto emits = L::both(L::both(wanted, light.valid), L::either(side.is_above, side.passes));
-    const Vec3<typename L::Value> value = v.throughput *
-                                          weighted_value<L>(step.scene, v, wi, side.passes, pdf) *
-                                          light.radiance * (L::all(1) / pdf);
+    const Vec3Of<L> value = v.throughput * weighted_value<L>(step.scene, v, wi, side.passes, pdf) *
+                            light.radiance * (L::all(1) / pdf);
     const auto is_lit = L::both(emits, L::is_less(zero, largest<L>(value)));
     put_rays<L>(step.shadows, k, v.first, light, value, is_lit);
     if (step.scene.materials.transmits) {
@@ -93,8 +89,7 @@ CAROM_KERNEL PlaceOf<L> place_of(const VertexOf<L>& v) {
 }
 
 template <class L>
-CAROM_KERNEL typename L::Value environment_sample_count(const WaveStep& step,
-                                                        const VertexOf<L>& v) {
+CAROM_KERNEL ValueOf<L> environment_sample_count(const WaveStep& step, const VertexOf<L>& v) {
     if (!step.scene.has_environment) {
         return v.coat_samples;
     }
@@ -113,8 +108,7 @@ CAROM_KERNEL typename L::Value environment_sample_count(const WaveStep& step,
 /// number of the next ray.
 template <class L>
 CAROM_KERNEL int sample_environment(const WaveStep& step, const VertexOf<L>& v,
-                                    const WaveLight& light, const Vec2<typename L::Value>& u,
-                                    int k) {
+                                    const WaveLight& light, const Vec2Of<L>& u, int k) {
     const auto expected = v.environment_samples;
     const auto always = L::is_at_most(L::all(1), expected);
     const auto wanted = L::both(v.scatters, L::either(always, L::is_less(u.x, expected)));
@@ -125,9 +119,9 @@ CAROM_KERNEL int sample_environment(const WaveStep& step, const VertexOf<L>& v,
             store<L>(L::all(0), step.shadows.t_max, step.shadows.place(k, v.first));
             continue;
         }
-        Vec2<typename L::Value> point{rest, u.y};
+        Vec2Of<L> point{rest, u.y};
         if (v.any_gloss) {
-            const Vec2<typename L::Value> shifted = lattice_point<L>(u, j, samples);
+            const Vec2Of<L> shifted = lattice_point<L>(u, j, samples);
             point = {L::select(v.shows_gloss, shifted.x, rest),
                      L::select(v.shows_gloss, shifted.y, u.y)};
         }
@@ -143,13 +137,13 @@ template <class L>
 CAROM_KERNEL void sample_all_lights(const WaveStep& step, VertexOf<L>& v,
                                     const SamplerOf<L>& sampler) {
     v.environment_samples = environment_sample_count<L>(step, v);
-    typename L::Value pair[4];
+    ValueOf<L> pair[4];
     std::uint32_t asked = 0;
     int k = 0;
     for (int index = 0; index < step.scene.lights.count(); ++index) {
         const WaveLight& light = step.scene.lights[index];
         if (light.samples > 1) {
-            typename L::Value x[4], y[4];
+            ValueOf<L> x[4], y[4];
             sampler.get_2d_block(kLightBlockSets + static_cast<std::uint32_t>(index), x, y);
             for (int j = 0; j < 4; ++j) {
                 const LightSampleOf<L> found =
@@ -162,7 +156,7 @@ CAROM_KERNEL void sample_all_lights(const WaveStep& step, VertexOf<L>& v,
             sampler.get_4d(L::all_word(kLightPairSets + asked / 2), pair);
         }
         const std::uint32_t first = 2 * (asked % 2);
-        const Vec2<typename L::Value> u{pair[first], pair[first + 1]};
+        const Vec2Of<L> u{pair[first], pair[first + 1]};
         asked += 1;
         if (light.is_environment()) {
             k = sample_environment<L>(step, v, light, u, k);
@@ -175,8 +169,7 @@ CAROM_KERNEL void sample_all_lights(const WaveStep& step, VertexOf<L>& v,
 
 /// Samples one light, chosen by importance, at later vertices.
 template <class L>
-CAROM_KERNEL void sample_one_light(const WaveStep& step, VertexOf<L>& v,
-                                   const Vec2<typename L::Value>& u) {
+CAROM_KERNEL void sample_one_light(const WaveStep& step, VertexOf<L>& v, const Vec2Of<L>& u) {
     const auto zero = L::all(0);
     const LightChoiceOf<L> choice =
         choose_light<L>(step.scene, place_of<L>(v), v.bsdf.frame.z, u.x);

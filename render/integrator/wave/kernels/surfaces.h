@@ -4,9 +4,9 @@
 /// Lanes beyond the last hit repeat it.
 template <class L>
 struct WaveHitOf {
-    typename L::Int vertex, path, object;
+    IntOf<L> vertex, path, object;
     RayOf<L> ray;
-    typename L::Value distance;
+    ValueOf<L> distance;
 };
 
 template <class L>
@@ -21,8 +21,8 @@ CAROM_KERNEL WaveHitOf<L> hit_at(const SurfaceTask& task, int first) {
 }
 
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> gather_vector(const WaveHitOf<L>& hit, const SurfaceTask& task,
-                                                   ShapeRow row) {
+CAROM_KERNEL Vec3Of<L> gather_vector(const WaveHitOf<L>& hit, const SurfaceTask& task,
+                                     ShapeRow row) {
     return gather_vector<L>(task.scene.shapes, row, hit.object);
 }
 template <class L>
@@ -47,13 +47,13 @@ CAROM_KERNEL RotationOf<L> turn_of(const SurfaceTask& task, const WaveHitOf<L>& 
 
 template <class L>
 CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const SurfaceTask& task, const WaveHitOf<L>& hit) {
-    const Vec3<typename L::Value> centre =
-        task.group.moves ? gather<L>(task.vertices.position, hit.vertex)
-                         : gather_vector<L>(hit, task, kWorldFromUnitTranslation);
+    const Vec3Of<L> centre = task.group.moves
+                                 ? gather<L>(task.vertices.position, hit.vertex)
+                                 : gather_vector<L>(hit, task, kWorldFromUnitTranslation);
     const auto radius = gather<L>(task.scene.shapes, kHalfSize, hit.object);
     SurfacePointOf<L> point = point_on_sphere<L>(hit.ray, hit.distance, centre, radius);
     if (task.group.has_texture) {
-        Vec3<typename L::Value> arm = point.geometric_normal * radius;
+        Vec3Of<L> arm = point.geometric_normal * radius;
         if (task.group.moves) {
             arm = turn_of<L>(task, hit).undo(arm);
         }
@@ -128,15 +128,14 @@ CAROM_KERNEL SurfacePointOf<L> point_at(const SurfaceTask& task, const WaveHitOf
 
 /// Within glass paths lose light (Beer and Lambert).
 template <class L>
-CAROM_KERNEL void absorb(const SurfaceTask& task, const WaveHitOf<L>& hit,
-                         typename L::Mask from_behind) {
+CAROM_KERNEL void absorb(const SurfaceTask& task, const WaveHitOf<L>& hit, MaskOf<L> from_behind) {
     const auto remains = [&](float rate) CAROM_KERNEL_ATTRIBUTE {
         return exponential_of<L>(L::all(-rate) * hit.distance);
     };
     const V3f& rate = task.group.absorption;
-    const Vec3<typename L::Value> throughput = gather<L>(task.paths.throughput, hit.path);
-    const Vec3<typename L::Value> reduced =
-        throughput * Vec3<typename L::Value>{remains(rate.x), remains(rate.y), remains(rate.z)};
+    const Vec3Of<L> throughput = gather<L>(task.paths.throughput, hit.path);
+    const Vec3Of<L> reduced =
+        throughput * Vec3Of<L>{remains(rate.x), remains(rate.y), remains(rate.z)};
     scatter<L>(select<L>(from_behind, reduced, throughput), task.paths.throughput, hit.path);
 }
 
@@ -147,7 +146,7 @@ CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
     const SurfaceQueue& vertices = task.vertices;
     const WaveHitOf<L> hit = hit_at<L>(task, first);
     const SurfacePointOf<L> point = point_at<L>(task, hit);
-    const Vec3<typename L::Value> wo = opposite<L>(hit.ray.direction);
+    const Vec3Of<L> wo = opposite<L>(hit.ray.direction);
     const auto cosine =
         L::larger(L::size(dot(point.geometric_normal, wo)), L::all(kLeastConeCosine));
     const auto width = gather<L>(task.paths.cone_width, hit.path) +

@@ -5,33 +5,33 @@
 template <class L>
 struct VertexOf {
     int first;  // of the vertices
-    typename L::Mask valid;
-    typename L::Int path;
-    Vec3<typename L::Value> position, origin;
-    typename L::Value time;
-    Vec3<typename L::Value> throughput;
+    MaskOf<L> valid;
+    IntOf<L> path;
+    Vec3Of<L> position, origin;
+    ValueOf<L> time;
+    Vec3Of<L> throughput;
     BsdfOf<L> bsdf;
-    typename L::Mask scatters;       // has a lobe that is not specular
-    typename L::Mask splits;         // the coat and the base are followed separately
-    typename L::Mask shows_gloss;    // the coat is sampled several times
-    bool any_gloss;                  // false: it is not in any lane
-    typename L::Value coat_samples;  // number of directions of the coat
-    typename L::Mask connects;       // caustics may be sampled
-    typename L::Word vertex_index;
-    typename L::Value total_importance, environment_samples;
+    MaskOf<L> scatters;       // has a lobe that is not specular
+    MaskOf<L> splits;         // the coat and the base are followed separately
+    MaskOf<L> shows_gloss;    // the coat is sampled several times
+    bool any_gloss;           // false: it is not in any lane
+    ValueOf<L> coat_samples;  // number of directions of the coat
+    MaskOf<L> connects;       // caustics may be sampled
+    WordOf<L> vertex_index;
+    ValueOf<L> total_importance, environment_samples;
 };
 
 /// Sets the numbers of a material. `number_in` returns each lane's number of a row.
 template <class L, class NumberIn, class Numbers>
 CAROM_KERNEL void set_numbers(const NumberRows& rows, const NumberIn& number_in, Numbers& numbers) {
     int row = 0;
-    Numbers::each_number(numbers, [&](typename L::Value& number) CAROM_KERNEL_ATTRIBUTE {
+    Numbers::each_number(numbers, [&](ValueOf<L>& number) CAROM_KERNEL_ATTRIBUTE {
         number = number_in(rows.row(row++));
     });
 }
 
 template <class L, class NumberIn>
-CAROM_KERNEL void set_layers(const WaveMaterials& materials, typename L::Int material,
+CAROM_KERNEL void set_layers(const WaveMaterials& materials, IntOf<L> material,
                              const NumberIn& number_in, LayersOf<L>& layers) {
     set_numbers<L>(materials.layers, number_in, layers);
     const auto is_glass = L::is_less(L::all(0), layers.transmission);
@@ -53,7 +53,7 @@ CAROM_KERNEL void set_layers(const WaveMaterials& materials, typename L::Int mat
 
 /// Vertices are sorted, so that mostly all lanes have the same material.
 template <class L>
-CAROM_KERNEL void set_layers(const WaveMaterials& materials, typename L::Int material,
+CAROM_KERNEL void set_layers(const WaveMaterials& materials, IntOf<L> material,
                              LayersOf<L>& layers) {
     const std::int32_t first = L::first_of(material);
     if (L::none(L::opposite(L::is_equal_int(material, L::all_int(first))))) {
@@ -87,14 +87,13 @@ CAROM_KERNEL void decide(const WaveStep& step, VertexOf<L>& v) {
 /// The materials of vertices from `first` on; lanes beyond the last vertex have that of the first
 /// one.
 template <class L>
-CAROM_KERNEL typename L::Int materials_of(const SurfaceQueue& vertices, int first,
-                                          typename L::Mask valid) {
+CAROM_KERNEL IntOf<L> materials_of(const SurfaceQueue& vertices, int first, MaskOf<L> valid) {
     const auto known = load<L>(vertices.material, first);
     return L::select_int(valid, known, L::all_int(L::first_of(known)));
 }
 
 template <class L>
-CAROM_KERNEL typename L::Mask is_set(typename L::Int word) {
+CAROM_KERNEL MaskOf<L> is_set(IntOf<L> word) {
     return L::opposite(L::is_equal_int(word, L::all_int(0)));
 }
 
@@ -106,7 +105,7 @@ CAROM_KERNEL VertexOf<L> vertex_at(const WaveStep& step, int first) {
     v.valid = L::first_lanes(in.count - first);
     v.path = load<L>(in.path, first);
     v.position = load<L>(in.position, first);
-    const Vec3<typename L::Value> geometric_normal = load<L>(in.geometric_normal, first);
+    const Vec3Of<L> geometric_normal = load<L>(in.geometric_normal, first);
     v.origin = v.position + geometric_normal * load<L>(in.offset, first);
     v.time = gather<L>(step.paths.time, v.path);
     v.throughput = gather<L>(step.paths.throughput, v.path);
@@ -115,7 +114,7 @@ CAROM_KERNEL VertexOf<L> vertex_at(const WaveStep& step, int first) {
         from_behind = L::both(is_set<L>(load<L>(in.from_behind, first)), v.valid);
     }
     set_layers<L>(step.scene.materials, materials_of<L>(in, first, v.valid), v.bsdf.layers);
-    const Vec3<typename L::Value> direction = gather<L>(step.paths.direction, v.path);
+    const Vec3Of<L> direction = gather<L>(step.paths.direction, v.path);
     complete<L>(v.bsdf, load<L>(in.base, first), geometric_normal, load<L>(in.normal, first),
                 opposite<L>(direction), from_behind);
     if (in.some_end) {
@@ -130,7 +129,7 @@ CAROM_KERNEL VertexOf<L> vertex_at(const WaveStep& step, int first) {
 
 /// Where rays in a direction start: beyond the surface in the lanes that pass through it.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> origin_of_rays(const VertexOf<L>& v, typename L::Mask passes) {
+CAROM_KERNEL Vec3Of<L> origin_of_rays(const VertexOf<L>& v, MaskOf<L> passes) {
     if (!v.bsdf.any_transmits) {
         return v.origin;
     }
@@ -139,9 +138,8 @@ CAROM_KERNEL Vec3<typename L::Value> origin_of_rays(const VertexOf<L>& v, typena
 
 /// `wi` in the axes of the vertex' frame; only its height if that suffices for the lobes.
 template <class L>
-CAROM_KERNEL Vec3<typename L::Value> local_direction(const VertexOf<L>& v,
-                                                     const Vec3<typename L::Value>& wi,
-                                                     typename L::Value height) {
+CAROM_KERNEL Vec3Of<L> local_direction(const VertexOf<L>& v, const Vec3Of<L>& wi,
+                                       ValueOf<L> height) {
     if (v.bsdf.any_glossy()) {
         return {dot(wi, v.bsdf.frame.x), dot(wi, v.bsdf.frame.y), height};
     }
