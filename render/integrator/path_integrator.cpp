@@ -10,6 +10,7 @@
 #include "render/geometry/validity.h"
 #include "render/integrator/branch_sums.h"
 #include "render/integrator/wave/hit_surfaces.h"
+#include "render/integrator/wave/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -116,7 +117,6 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
                                const LightTracer* light_tracer)
     : scene_(scene),
       settings_(settings),
-      hits_(scene_, settings.strategy),
       caustics_(scene_),
       light_tracer_(light_tracer),
       kernels_(&best_wave_kernels()),
@@ -345,7 +345,11 @@ void PathIntegrator::add_hit_light(int index, const Hit& hit, Wave& wave) const 
     if (is_sampled_as_caustic(path, hit)) {
         return;
     }
-    wave.add_light(index, path.throughput * hits_.of_light(path, hit));
+    const WaveLight& light =
+        wave_scene_.all_lights[static_cast<std::int64_t>(scene_.light_of(hit))];
+    const V3f radiance =
+        scalar::radiance_of_area_light<scalar::One>(wave_scene_, light, wave.paths(), index, hit.t);
+    wave.add_light(index, path.throughput * radiance);
     if (path.vertex == 0) {
         result.normal = -path.ray.direction;
     }
@@ -371,8 +375,13 @@ void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
-        const V3f light = hits_.of_object(path, hit, material.emission(), point.geometric_normal);
-        wave.add_light(index, path.throughput * light);
+        const auto light = scene_.lights.emissive_light(hit.object);
+        const float weight =
+            light ? scalar::weight_of_object<scalar::One>(
+                        wave_scene_, wave_scene_.all_lights[static_cast<std::int64_t>(*light)],
+                        wave.paths(), index, hit.t, point.geometric_normal)
+                  : 1.0F;
+        wave.add_light(index, path.throughput * (material.emission() * weight));
     }
 }
 

@@ -8,7 +8,6 @@
 
 #include "render/integrator/caustics.h"
 #include "render/integrator/integrator.h"
-#include "render/integrator/light_hits.h"
 #include "render/integrator/light_tracer.h"
 #include "render/integrator/path_settings.h"
 #include "render/integrator/wave/make_wave_scene.h"
@@ -61,7 +60,6 @@ class PathIntegrator final : public Integrator {
 
     TransportScene scene_;
     PathSettings settings_;
-    LightHits hits_;
     Caustics caustics_;
     const LightTracer* light_tracer_;
     const WaveKernels* kernels_;

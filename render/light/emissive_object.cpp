@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "render/light/scalar_kernels.h"
-
 namespace carom::render {
 EmissiveObject EmissiveObject::moving(std::shared_ptr<const RigidMotion> motion) const {
     EmissiveObject result = *this;
@@ -23,27 +21,6 @@ bool EmissiveObject::is_black() const {
 bool EmissiveObject::is_round() const {
     const EmissiveShape* shape = curved();
     return shape != nullptr && shape->is_round();
-}
-
-scalar::BodyOf<scalar::One> EmissiveObject::body_at(float time) const {
-    const MotionPieces motion = motion_ ? motion_->pieces() : MotionPieces();
-    return scalar::body_at<scalar::One>(motion, is_round(), time);
-}
-
-float EmissiveObject::pdf(const V3f& point, const V3f& direction, float distance, const V3f& normal,
-                          float time) const {
-    if (const EmissiveSurface* surface = flat()) {
-        return surface->pdf(distance, -direction.dot(normal));
-    }
-    const auto body = body_at(time);
-    return curved()->pdf(body.point(point), body.vector(direction), distance, body.vector(normal));
-}
-
-float EmissiveObject::importance(const V3f& point, const V3f& normal, float time) const {
-    const auto body = body_at(time);
-    return visit([&](const auto& shape) {
-        return shape.importance(body.point(point), body.vector(normal));
-    });
 }
 
 }  // namespace carom::render

@@ -26,12 +26,6 @@ class EmissiveObject {
     /// A sphere with three equal radii.
     [[nodiscard]] bool is_round() const;
 
-    /// As EmissiveShape::pdf; world axes.
-    [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance,
-                            const V3f& normal, float time) const;
-    /// As for area lights, with the orientation unknown.
-    [[nodiscard]] float importance(const V3f& point, const V3f& normal, float time) const;
-
     /// For kernels: the curved shape, or null if the faces are flat.
     [[nodiscard]] const EmissiveShape* curved() const {
         return std::get_if<EmissiveShape>(&shape_);
@@ -42,7 +36,6 @@ class EmissiveObject {
     [[nodiscard]] const RigidMotion* motion() const { return motion_.get(); }
 
   private:
-    [[nodiscard]] scalar::BodyOf<scalar::One> body_at(float time) const;
     template <class Visitor>
     [[nodiscard]] auto visit(const Visitor& visitor) const {
         const EmissiveSurface* surface = flat();

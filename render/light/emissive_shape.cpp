@@ -152,13 +152,4 @@ bool EmissiveShape::is_black() const {
     return !(shape_.importance.strength > 0);
 }
 
-float EmissiveShape::pdf(const V3f& point, const V3f& direction, float distance,
-                         const V3f& normal) const {
-    return scalar::pdf_of_shape<One>(shape_, point, direction, distance, normal);
-}
-
-float EmissiveShape::importance(const V3f& point, const V3f& normal) const {
-    return scalar::importance_of_shape<One>(shape_, point, normal);
-}
-
 }  // namespace carom::render

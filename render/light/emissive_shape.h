@@ -36,12 +36,7 @@ class EmissiveShape {
         return shape_.kind == EmissiveShapeConstants::Kind::sphere;
     }
 
-    /// Density of the samples (1/sr) for a ray from `point` that hits the shape's front at
-    /// `distance`, where the unit `normal` points outward.
-    [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance,
-                            const V3f& normal) const;
     [[nodiscard]] const V3f& radiance() const { return shape_.radiance; }
-    [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
     /// For kernels.
     [[nodiscard]] const EmissiveShapeConstants& constants() const { return shape_; }
 

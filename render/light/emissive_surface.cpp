@@ -43,10 +43,6 @@ EmissiveSurface::EmissiveSurface(const std::vector<Triangle>& triangles, const V
                    luminance(radiance_) * area_ * 0.5f};
 }
 
-float EmissiveSurface::importance(const V3f& point, const V3f& normal) const {
-    return scalar::importance_of_object<scalar::One>(importance_, point, normal);
-}
-
 EmissiveSurfaceConstants EmissiveSurface::constants() const {
     static_assert(sizeof(Triangle) == 9 * sizeof(float));
     return {List<float>(triangles_.front().front().getValue(),

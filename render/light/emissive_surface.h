@@ -21,14 +21,7 @@ class EmissiveSurface {
 
     [[nodiscard]] bool is_black() const { return area_ <= 0 || luminance(radiance_) <= 0; }
 
-    /// Density of the samples (1/sr) for a ray that hits the surface at `distance` with this cosine
-    /// to the triangle's own normal.
-    [[nodiscard]] float pdf(float distance, float cosine) const {
-        return cosine > 0 ? distance * distance / (cosine * area_) : 0.0f;
-    }
     [[nodiscard]] const V3f& radiance() const { return radiance_; }
-    /// As for area lights, with the orientation unknown.
-    [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
     /// For kernels/emissive_object.h; valid as long as this object is, which must not be dark.
     [[nodiscard]] EmissiveSurfaceConstants constants() const;
 

@@ -57,31 +57,6 @@ bool LightSet::is_round(std::size_t light) const {
     return light < area_lights_.size() && area_lights_[light].is_round;
 }
 
-float LightSet::importance(std::size_t light, const V3f& point, const V3f& normal,
-                           float time) const {
-    if (light >= first_emissive()) {
-        return emissive_[light - first_emissive()].importance(point, normal, time);
-    }
-    if (is_delta(light)) {
-        return scalar::importance_of_delta_light<One>(delta_light(light).constants(), point,
-                                                      normal);
-    }
-    if (is_environment(light)) {
-        return environment_->importance();
-    }
-    return scalar::importance_of_area_light<One>(area_lights_[light], point, normal);
-}
-
-float LightSet::pdf_of_object(std::size_t light, const V3f& point, const V3f& direction,
-                              float distance, const V3f& normal, float time) const {
-    return emissive_[light - first_emissive()].pdf(point, direction, distance, normal, time);
-}
-
-float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction,
-                    float distance) const {
-    return scalar::pdf_of_area_light<One>(area_lights_[light], point, direction, distance);
-}
-
 V3f LightSet::emitted(std::size_t light, const V3f& direction) const {
     return scalar::emitted_by_area_light<One>(area_lights_[light], direction);
 }

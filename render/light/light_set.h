@@ -60,19 +60,6 @@ class LightSet {
     /// Whether it is sampled over the cone that a sphere subtends.
     [[nodiscard]] bool is_round(std::size_t light) const;
 
-    /// Estimate of the unoccluded light at a surface, by which lights are chosen. It is 0 only
-    /// where nothing arrives.
-    [[nodiscard]] float importance(std::size_t light, const V3f& point, const V3f& normal,
-                                   float time = 0) const;
-
-    /// Density of the samples (1/sr, given that light) for a direction from `point` that hits the
-    /// light at `distance`, for an area light.
-    [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,
-                            float distance) const;
-    /// Likewise for an emissive object, whose front has this unit `normal` there.
-    [[nodiscard]] float pdf_of_object(std::size_t light, const V3f& point, const V3f& direction,
-                                      float distance, const V3f& normal, float time) const;
-
     /// Radiance of an area light towards the unit `direction`, away from the light, as cameras and
     /// specular reflections see it.
     [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;

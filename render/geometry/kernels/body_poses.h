@@ -2,25 +2,24 @@
 // is.
 
 /// Numbers of a piece of a list, which may be another one in each lane. They are named by their
-/// place in the first piece.
+/// place in the first piece of the list.
 template <class L, class Piece>
 struct PieceAt {
+    const Piece& first_piece;
     IntOf<L> index;
     bool is_first;  // in all lanes
 
-    /// The piece that is valid at a time.
+    /// The piece of one motion that is valid at a time.
     CAROM_KERNEL PieceAt(const List<Piece>& list, ValueOf<L> time)
-        : index(L::all_int(0)), is_first(list.count() == 1) {
-        const std::int32_t count = list.count();
-        std::int32_t step = 1;
-        while (step < count) {
-            step *= 2;
-        }
-        for (step /= 2; step > 0; step /= 2) {
-            const auto other = L::smaller_int(index + L::all_int(step), L::all_int(count - 1));
-            const auto begins = gathered(&list[0].start, other);
-            index = L::select_int(L::is_at_most(begins, time), other, index);
-        }
+        : first_piece(list[0]), index(L::all_int(0)), is_first(list.count() == 1) {
+        search(L::all_int(list.count() - 1), list.count(), time);
+    }
+    /// Of motions whose pieces are, in each lane, those from `begin` to before `end`, at most
+    /// `most`.
+    CAROM_KERNEL PieceAt(const List<Piece>& list, IntOf<L> begin, IntOf<L> end, int most,
+                         ValueOf<L> time)
+        : first_piece(list[0]), index(begin), is_first(false) {
+        search(end - L::all_int(1), most, time);
     }
 
     template <class Vector>
@@ -32,6 +31,17 @@ struct PieceAt {
     }
 
   private:
+    CAROM_KERNEL void search(IntOf<L> last, std::int32_t most, ValueOf<L> time) {
+        std::int32_t step = 1;
+        while (step < most) {
+            step *= 2;
+        }
+        for (step /= 2; step > 0; step /= 2) {
+            const auto other = L::smaller_int(index + L::all_int(step), last);
+            const auto begins = gathered(&first_piece.start, other);
+            index = L::select_int(L::is_at_most(begins, time), other, index);
+        }
+    }
     CAROM_KERNEL static ValueOf<L> gathered(const void* of_first, IntOf<L> at) {
         constexpr auto kSize = static_cast<std::int32_t>(sizeof(Piece));
         return L::from_bits(L::from_word(L::gather_bytes(of_first, L::product(at, kSize))));
@@ -40,11 +50,14 @@ struct PieceAt {
 
 /// Where the body's origin is.
 template <class L>
-CAROM_KERNEL Vec3Of<L> position_at(const MotionPieces& motion, ValueOf<L> time) {
-    const PieceAt<L, PathPiece> at(motion.path, time);
-    const PathPiece& first = motion.path[0];
+CAROM_KERNEL Vec3Of<L> position_at(const PieceAt<L, PathPiece>& at, ValueOf<L> time) {
+    const PathPiece& first = at.first_piece;
     return point_on_path<L>(at.vector(first.c[0]), at.vector(first.c[1]), at.vector(first.c[2]),
                             at.vector(first.c[3]), time - at.place(first.start));
+}
+template <class L>
+CAROM_KERNEL Vec3Of<L> position_at(const MotionPieces& motion, ValueOf<L> time) {
+    return position_at<L>(PieceAt<L, PathPiece>(motion.path, time), time);
 }
 
 /// `begin`, turned further by twice an angle about an axis.
@@ -57,9 +70,8 @@ CAROM_KERNEL RotationOf<L> rotation_after(const RotationOf<L>& begin, const Vec3
 
 /// How the body is turned.
 template <class L>
-CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, ValueOf<L> time) {
-    const PieceAt<L, RotationPiece> at(motion.turns, time);
-    const RotationPiece& first = motion.turns[0];
+CAROM_KERNEL RotationOf<L> rotation_at(const PieceAt<L, RotationPiece>& at, ValueOf<L> time) {
+    const RotationPiece& first = at.first_piece;
     RotationOf<L> begin{at.place(first.world_from_body.r), at.vector(first.world_from_body.v)};
     const auto half_angle = at.place(first.half_angle);
     const auto turns = L::is_less(L::all(0), half_angle);
@@ -72,6 +84,11 @@ CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, ValueOf<L> ti
     const RotationOf<L> all =
         rotation_after<L>(begin, at.vector(first.axis), fraction * half_angle);
     return {L::select(turns, all.real, begin.real), select<L>(turns, all.vector, begin.vector)};
+}
+
+template <class L>
+CAROM_KERNEL RotationOf<L> rotation_at(const MotionPieces& motion, ValueOf<L> time) {
+    return rotation_at<L>(PieceAt<L, RotationPiece>(motion.turns, time), time);
 }
 
 template <class L>

@@ -36,9 +36,7 @@ HitSurfaces::HitSurfaces(const TransportScene& scene, const WaveScene& wave_scen
     : scene_(scene),
       wave_scene_(wave_scene),
       kernels_(kernels),
-      hits_(static_cast<std::size_t>(most_paths + kBeyondQueue)) {
-    memory_.reserve(most_paths, rotations_);
-}
+      hits_(static_cast<std::size_t>(most_paths + kBeyondQueue)) {}
 
 const Hit* HitSurfaces::trace(const PathQueue& paths) {
     scene_.frame.structure().closest_hits(rays_of(paths), hits_.data());
@@ -52,9 +50,8 @@ void HitSurfaces::find(const PathQueue& paths, const IndexList& hit_paths, Surfa
         const WaveGroup& group = wave_scene_.groups[k];
         const int last = group_ends_[static_cast<std::size_t>(k)];
         if (first < last) {
-            find_poses(group, first, last, paths, vertices);
-            kernels_.resolve_surfaces(
-                {wave_scene_, group, paths, hits_.data(), rotations_, vertices, last}, first);
+            kernels_.resolve_surfaces({wave_scene_, group, paths, hits_.data(), vertices, last},
+                                      first);
         }
         first = last;
     }
@@ -80,24 +77,6 @@ void HitSurfaces::sort(const IndexList& hit_paths, SurfaceQueue& vertices) {
         vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
         vertices.material.at[i] = static_cast<std::int32_t>(wave_scene_.groups[group].material);
         vertices.distance.at[i] = hit.t;
-    }
-}
-
-void HitSurfaces::find_poses(const WaveGroup& group, int first, int last, const PathQueue& paths,
-                             const SurfaceQueue& vertices) {
-    if (!group.moves) {
-        return;
-    }
-    const bool rotates = group.kind != WaveGroup::Kind::sphere || group.has_texture;
-    for (int i = first; i < last; ++i) {
-        const auto object = static_cast<std::uint32_t>(vertices.object.at[i]);
-        const float time = paths.time.at[vertices.path.at[i]];
-        vertices.position.set(i, scene_.frame.centre(object, time));
-        if (rotates) {
-            const Imath::Quatf rotation = scene_.frame.world_from_body(object, time);
-            rotations_.real.at[i] = rotation.r;
-            rotations_.vector.set(i, rotation.v);
-        }
     }
 }
 

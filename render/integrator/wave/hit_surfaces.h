@@ -28,15 +28,11 @@ class HitSurfaces {
 
   private:
     void sort(const IndexList& hit_paths, SurfaceQueue& vertices);
-    void find_poses(const WaveGroup& group, int first, int last, const PathQueue& paths,
-                    const SurfaceQueue& vertices);
 
     const TransportScene& scene_;
     const WaveScene& wave_scene_;
     const WaveKernels& kernels_;
     std::vector<Hit> hits_;
-    QueueMemory memory_;
-    RotationQueue rotations_;
     std::vector<int> group_ends_;  // in the vertices
 };
 

@@ -2,10 +2,18 @@
 
 #include <algorithm>
 
-#include "render/integrator/light_hits.h"
-
 namespace carom::render {
 namespace {
+
+/// How many directions a path's first vertex samples towards a light. Rectangles get four, a block
+/// of random numbers: their penumbrae would cause most of the noise, and four shadow rays traced
+/// together cost little more than one. With many area lights each gets one, because together they
+/// are smooth enough.
+int first_vertex_samples(const LightSet& lights, std::size_t light) {
+    constexpr std::size_t kFewLights = 4;
+    const bool is_one_of_few = lights.area_light_count() <= kFewLights;
+    return is_one_of_few && !lights.is_round(light) ? 4 : 1;
+}
 
 WaveLight known_light(const LightSet& lights, std::size_t index) {
     WaveLight light;
@@ -77,7 +85,8 @@ WaveScene& make_in(const TransportScene& scene, const WaveSetUp& set_up, SceneAr
         lights.push_back(known_light(scene.lights, light));
         known.has_environment = known.has_environment || lights.back().is_environment();
     }
-    known.lights = arena.add(lights);
+    known.all_lights = arena.add(lights);
+    known.lights = known.all_lights;
     const Environment& environment = scene.lights.environment();
     known.environment_importance = environment.importance();
     if (environment.is_sampled() && environment.picture().distribution.density.exists()) {

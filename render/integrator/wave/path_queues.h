@@ -78,17 +78,6 @@ struct SurfaceQueue {
     }
 };
 
-/// How moving objects are turned at a path's time, by vertex: world from body, as unit quaternions.
-struct RotationQueue {
-    Floats real;
-    Floats3 vector;
-
-    template <class Visit>
-    void each_array(const Visit& visit) {
-        visit(real, vector);
-    }
-};
-
 /// Shadow rays of the vertices [first, last) of a wave, `rays` for each vertex. The first rays of
 /// all vertices are stored before the second ones.
 struct ShadowQueue {

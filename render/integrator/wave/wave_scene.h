@@ -80,6 +80,15 @@ struct WaveGroup {
     }
 };
 
+/// The pieces of the motions of all objects, one object's after the other.
+struct WaveMotions {
+    List<PathPiece> path;
+    List<RotationPiece> turns;
+    // By object: where its pieces begin; those of an object end where the next one's begin.
+    List<std::int32_t> path_begin, turns_begin;
+    int most_path = 0, most_turns = 0;  // of one object
+};
+
 /// What a hit of an object needs besides becoming a vertex, as bits.
 enum WaveTraits : std::uint8_t {
     kTransmits = 1,  // glass, or a phong material that lets light through
@@ -102,7 +111,8 @@ enum ShapeRow : std::uint8_t {
 
 /// What the kernels need to know about a scene.
 struct WaveScene {
-    List<WaveLight> lights;  // by the light's number in LightSet
+    List<WaveLight> all_lights;  // by the light's number in LightSet
+    List<WaveLight> lights;      // that are sampled: all, or none
     float environment_importance = 0;
     bool has_environment = false;  // among the lights
     bool has_sky = false;
@@ -115,6 +125,7 @@ struct WaveScene {
     List<TextureData> textures;  // by material
     bool absorbs = true;         // within glass
     NumberRows shapes;           // by object
+    WaveMotions motions;
     List<WaveGroup> groups;
     List<std::uint16_t> group_of_object;
     List<std::uint8_t> traits;  // by object

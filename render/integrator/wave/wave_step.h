@@ -10,14 +10,12 @@
 
 namespace carom::render {
 
-/// The vertices up to `last` of a group. Known are path, object, material, distance and, of objects
-/// that move, the body's `position`.
+/// The vertices up to `last` of a group. Known are path, object, material and distance.
 struct SurfaceTask {
     const WaveScene& scene;
     const WaveGroup& group;
-    const PathQueue& paths;          // whose throughput what they pass within glass reduces
-    const Hit* hits;                 // by path
-    const RotationQueue& rotations;  // of objects that move, except spheres without a texture
+    const PathQueue& paths;  // whose throughput what they pass within glass reduces
+    const Hit* hits;         // by path
     const SurfaceQueue& vertices;
     int last;
 };

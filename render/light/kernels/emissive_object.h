@@ -315,3 +315,14 @@ CAROM_KERNEL LightSampleOf<L> sample_surface(const EmissiveSurfaceConstants& sur
             divisor * divisor / (L::select(valid, cosine, one) * L::all(surface.area)),
             all_of<L>(surface.radiance), valid};
 }
+
+/// Density of `sample_surface` (1/sr) for a ray that hits flat faces at `distance` with this cosine
+/// to the triangle's own normal.
+template <class L>
+CAROM_KERNEL ValueOf<L> pdf_of_surface(const EmissiveSurfaceConstants& surface, ValueOf<L> distance,
+                                       ValueOf<L> cosine) {
+    const auto faces = L::is_less(L::all(0), cosine);
+    const auto pdf =
+        distance * distance / (L::select(faces, cosine, L::all(1)) * L::all(surface.area));
+    return L::select(faces, pdf, L::all(0));
+}

@@ -253,7 +253,6 @@ struct Wave {
     PathQueue paths;
     SurfaceQueue vertices;
     ShadowQueue shadows;
-    RotationQueue rotations;
     EscapedQueue missed;
     LobeWave reflection, refraction;
     Floats3 own;
@@ -299,8 +298,7 @@ CAROM_KERNEL void step_of_path(const Wave& wave, int i) {
     wave.survives[i] = survivors_of<L>(wave.samples, wave.paths, i) ? 1 : 0;
     const int count = wave.vertices.count;
     for (const WaveGroup& group : wave.scene.groups) {
-        resolve_surfaces<L>(
-            {wave.scene, group, wave.paths, wave.hits, wave.rotations, wave.vertices, count}, i);
+        resolve_surfaces<L>({wave.scene, group, wave.paths, wave.hits, wave.vertices, count}, i);
     }
     const WaveStep step{wave.scene, wave.samples, wave.paths, wave.vertices, wave.shadows};
     int* const of_bases = wave.taken + count * wave.scene.glossy_samples;
@@ -311,6 +309,11 @@ CAROM_KERNEL void step_of_path(const Wave& wave, int i) {
     trace_coats<L>(step, i, Place<ContinuingPathOf<L>>{wave.coats + i, wave.taken + i});
     sum_light<L>(wave.shadows, i);
     shade_background<L>(wave.scene, wave.paths, wave.missed, i);
+    for (const WaveLight& light : wave.scene.all_lights) {
+        wave.missed.light.x.at[i] =
+            radiance_of_area_light<L>(wave.scene, light, wave.paths, i, 1).x +
+            weight_of_object<L>(wave.scene, light, wave.paths, i, 1, {0, 0, 1});
+    }
 }
 
 CAROM_KERNEL void step_of_ray(const Wave& wave, int i) {

@@ -92,9 +92,13 @@ TEST(LightSet, DeltaLights_AreChosenByWhatTheyGive) {
     EXPECT_FALSE(lights.is_environment(1));
     const V3f point(0, 0, 0);
     const V3f up(0, 0, 1);
-    EXPECT_NEAR(lights.importance(1, point, up), 3, 1e-5);
-    EXPECT_NEAR(lights.importance(2, point, up), 1, 1e-5);
-    EXPECT_EQ(lights.importance(1, point, -up), 0);
+    const auto importance = [&](std::size_t light, const V3f& normal) {
+        return scalar::importance_of_delta_light<scalar::One>(lights.delta_light(light).constants(),
+                                                              point, normal);
+    };
+    EXPECT_NEAR(importance(1, up), 3, 1e-5);
+    EXPECT_NEAR(importance(2, up), 1, 1e-5);
+    EXPECT_EQ(importance(1, -up), 0);
 }
 
 TEST(LightSet, WrongDeltaLights_AreErrorsThatNameThem) {

@@ -94,7 +94,7 @@ TEST(EmissiveSurface, FromBehind_NothingArrives) {
     for (int i = 0; i < 100; ++i) {
         EXPECT_FALSE(light_sample(surface, V3f(0, 0, 5), V2f{random.unit(), random.unit()}));
     }
-    EXPECT_EQ(surface.pdf(1, -0.5f), 0);
+    EXPECT_EQ(scalar::pdf_of_surface<scalar::One>(surface.constants(), 1, -0.5f), 0);
 }
 
 TEST(EmissiveSurface, WithoutArea_IsDark) {

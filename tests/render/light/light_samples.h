@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include "render/light/area_light.h"
 #include "render/light/delta_light.h"
@@ -26,7 +27,7 @@ template <class Emitter>
 [[nodiscard]] std::optional<LightSample> light_sample(const Emitter& light, const V3f& point,
                                                       const V2f& u) {
     using scalar::One;
-    if constexpr (requires { light.pdf(1.0f, 1.0f); }) {
+    if constexpr (std::is_same_v<Emitter, EmissiveSurface>) {
         return if_valid(scalar::sample_surface<One>(light.constants(), point, u));
     } else {
         return if_valid(scalar::sample_shape<One>(light.constants(), point, u));

@@ -8,6 +8,7 @@
 #include "render/integrator/wave/kernels/shadow_rays.h"
 #include "render/integrator/wave/kernels/scatter.h"
 #include "render/integrator/wave/kernels/shade.h"
+#include "render/integrator/wave/kernels/light_hits.h"
 #include "render/integrator/wave/kernels/background.h"
 #include "render/integrator/wave/kernels/distributed.h"
 // clang-format on

@@ -48,6 +48,11 @@ CAROM_KERNEL void scatter(const Vec3Of<L>& value, const Floats3& numbers, IntOf<
     L::scatter(value.z, numbers.z.at, index);
 }
 
+template <class L>
+CAROM_KERNEL IntOf<L> gather(const List<std::int32_t>& list, IntOf<L> index) {
+    return L::gather_int(list.data(), index);
+}
+
 /// A row of numbers, and three rows, at each lane's index.
 template <class L>
 CAROM_KERNEL ValueOf<L> gather(const NumberRows& rows, int row, IntOf<L> index) {

@@ -8,7 +8,7 @@ template <class L>
 CAROM_KERNEL MaskOf<L> asks_for_caustics(const WaveStep& step, const VertexOf<L>& v,
                                          const SamplerOf<L>& sampler) {
     const auto object = load<L>(step.vertices.object, v.first);
-    const auto own = L::gather_int(step.scene.sphere_of_object.data(), object);
+    const auto own = gather<L>(step.scene.sphere_of_object, object);
     auto total = L::all(0);
     for (int index = 0; index < step.scene.spheres.count(); ++index) {
         const SphereBounds& sphere = step.scene.spheres[index];

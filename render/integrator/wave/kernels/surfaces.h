@@ -39,10 +39,25 @@ CAROM_KERNEL TextureNeeds needs_of(const WaveGroup& group) {
     return {group.has_texture, group.needs_uv};
 }
 
+/// Where a moving object is at the path's time, and how it is turned.
+template <class L>
+CAROM_KERNEL Vec3Of<L> position_of(const SurfaceTask& task, const WaveHitOf<L>& hit) {
+    const WaveMotions& motions = task.scene.motions;
+    const auto time = gather<L>(task.paths.time, hit.path);
+    const auto next = hit.object + L::all_int(1);
+    const PieceAt<L, PathPiece> at(motions.path, gather<L>(motions.path_begin, hit.object),
+                                   gather<L>(motions.path_begin, next), motions.most_path, time);
+    return position_at<L>(at, time);
+}
 template <class L>
 CAROM_KERNEL RotationOf<L> turn_of(const SurfaceTask& task, const WaveHitOf<L>& hit) {
-    return {gather<L>(task.rotations.real, hit.vertex),
-            gather<L>(task.rotations.vector, hit.vertex)};
+    const WaveMotions& motions = task.scene.motions;
+    const auto time = gather<L>(task.paths.time, hit.path);
+    const auto next = hit.object + L::all_int(1);
+    const PieceAt<L, RotationPiece> at(motions.turns, gather<L>(motions.turns_begin, hit.object),
+                                       gather<L>(motions.turns_begin, next), motions.most_turns,
+                                       time);
+    return rotation_at<L>(at, time);
 }
 
 template <class L>
@@ -122,7 +137,7 @@ CAROM_KERNEL SurfacePointOf<L> point_at(const SurfaceTask& task, const WaveHitOf
     if (!task.group.moves) {
         return point_in_body<L>(task, hit, hit.ray);
     }
-    const PoseOf<L> body{gather<L>(task.vertices.position, hit.vertex), turn_of<L>(task, hit)};
+    const PoseOf<L> body{position_of<L>(task, hit), turn_of<L>(task, hit)};
     return moved<L>(body, point_in_body<L>(task, hit, body.in_body(hit.ray)));
 }
 
