@@ -19,7 +19,7 @@ class Query {
     Query(const Primitives& primitives, const Ray& ray, bool any)
         : primitives_(primitives), ray_(ray), any_(any) {
         best_.t = ray.t_max;
-        // As in tree_traversal-inl.h, boxes are widened by a fraction of the origin's coordinates.
+        // As in kernels/box_lines.h, boxes are widened by a fraction of the origin's coordinates.
         constexpr float kMarginFraction = 0x1p-18f;
         const V3f& o = ray.origin;
         const float margin = kMarginFraction * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));

@@ -32,7 +32,7 @@ struct SlabProbe {
     }
 };
 
-/// By how much volumes are widened for a ray, as in tree_traversal-inl.h.
+/// By how much volumes are widened for a ray, as in kernels/box_lines.h.
 [[nodiscard]] inline float ray_margin(const Ray& ray) {
     const V3f& o = ray.origin;
     return 0x1p-18f * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));

@@ -44,8 +44,9 @@ struct TrianglesInLanes : VectorLanes<D>, Choice {};
 
 template <class D>
 struct TrianglesInLanes<D, StoredAxes> : VectorLanes<D> {
-    using typename VectorLanes<D>::Value;
-    using typename VectorLanes<D>::Mask;
+    using L = VectorLanes<D>;
+    using typename L::Mask;
+    using typename L::Value;
     template <class Other>
     using With = TrianglesInLanes<D, Other>;
     struct Axis {
@@ -54,16 +55,15 @@ struct TrianglesInLanes<D, StoredAxes> : VectorLanes<D> {
     };
 
     static HWY_INLINE Axis longest_axis(const Vec3<Value>& v) {
-        const Value x = hn::Abs(v.x);
-        const Value y = hn::Abs(v.y);
-        const Value z = hn::Abs(v.z);
-        const Mask x_first = hn::Ge(x, y);
-        return {hn::And(x_first, hn::Ge(x, z)), hn::AndNot(x_first, hn::Ge(y, z))};
+        const Value x = L::size(v.x);
+        const Value y = L::size(v.y);
+        const Value z = L::size(v.z);
+        const Mask x_first = L::is_at_most(y, x);
+        return {L::both(x_first, L::is_at_most(z, x)), L::without(L::is_at_most(z, y), x_first)};
     }
     /// From the numbers 0, 1 and 2.
     static HWY_INLINE Axis axis_of(Value w) {
-        const D d;
-        return {hn::Eq(w, hn::Zero(d)), hn::Eq(w, hn::Set(d, 1))};
+        return {L::is_equal(w, L::all(0)), L::is_equal(w, L::all(1))};
     }
     static HWY_INLINE Value along(const Vec3<Value>& v, Axis w) { return choose(w, v.x, v.y, v.z); }
     static HWY_INLINE Value after(const Vec3<Value>& v, Axis w) { return choose(w, v.y, v.z, v.x); }
@@ -73,7 +73,7 @@ struct TrianglesInLanes<D, StoredAxes> : VectorLanes<D> {
 
   private:
     static HWY_INLINE Value choose(Axis w, Value x, Value y, Value z) {
-        return hn::IfThenElse(w.is_x, x, hn::IfThenElse(w.is_y, y, z));
+        return L::select(w.is_x, x, L::select(w.is_y, y, z));
     }
 };
 

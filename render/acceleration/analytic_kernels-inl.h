@@ -7,38 +7,35 @@ namespace carom::render::HWY_NAMESPACE {
 
 template <class D>
 struct BestLanes {
-    hn::Vec<D> t;
-    hn::Vec<Int<D>> object;
+    using L = VectorLanes<D>;
+    typename L::Value t;
+    typename L::Int object;
 
     /// Accepts nearer hits, and of equally near ones the lower object. Object -1, no hit yet, is
     /// never replaced at equal distance.
     /// Returns whether there is any.
-    HWY_INLINE bool offer(D d, const LaneHits<D>& hits, const ObjectLanes& objects, int lane) {
-        const hn::Vec<D> other_t = hits.t;
-        if (hn::AllFalse(d, hn::And(hits.valid, hn::Le(other_t, t)))) {
+    HWY_INLINE bool offer(const LaneHits<D>& hits, const std::int32_t* objects) {
+        if (L::none(L::both(hits.valid, L::is_at_most(hits.t, t)))) {
             return false;
         }
-        const Int<D> di;
-        const hn::Vec<Int<D>> other = hn::LoadU(di, objects.values + lane);
-        const hn::Mask<D> lower = hn::RebindMask(d, hn::Lt(other, object));
-        const hn::Mask<D> better = hn::Or(hn::Lt(other_t, t), hn::And(hn::Eq(other_t, t), lower));
-        const hn::Mask<D> take = hn::And(hits.valid, better);
-        t = hn::IfThenElse(take, other_t, t);
-        object = hn::IfThenElse(hn::RebindMask(di, take), other, object);
+        const typename L::Int other = L::load_int(objects);
+        const auto take = is_better<L>(hits, t, L::is_less_int(other, object));
+        t = L::select(take, hits.t, t);
+        object = L::select_int(take, other, object);
         return true;
     }
 
     HWY_INLINE void reduce(D d, Candidate& best) const {
-        const Int<D> di;
+        const typename L::IntTag di;
         const float nearest = hn::GetLane(hn::MinOfLanes(d, t));
-        const hn::Mask<D> at_nearest = hn::Eq(t, hn::Set(d, nearest));
-        if (hn::AllFalse(d, at_nearest)) {
+        const auto at_nearest = L::is_equal(t, L::all(nearest));
+        if (L::none(at_nearest)) {
             return;  // all are infinite; Highway's emulated target takes infinity for the largest
                      // float
         }
-        const hn::Vec<Int<D>> candidates = hn::IfThenElse(
-            hn::RebindMask(di, at_nearest), object, hn::Set(di, hwy::LimitsMax<std::int32_t>()));
-        const std::int32_t lowest = hn::GetLane(hn::MinOfLanes(di, candidates));
+        const auto candidates =
+            L::select_int(at_nearest, object, L::all_int(hwy::LimitsMax<std::int32_t>()));
+        const std::int32_t lowest = L::first_of(hn::MinOfLanes(di, candidates));
         best = {nearest, static_cast<std::uint32_t>(lowest)};
     }
 };
@@ -48,14 +45,15 @@ HWY_INLINE void scan(D d, const RayLanes<D>& ray, const std::vector<Block>& bloc
                      const Test& test, BestLanes<D>& best) {
     for (const Block& block : blocks) {
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            best.offer(d, test(d, ray, block, lane), block.object, lane);
+            best.offer(test(d, ray, block, lane), block.object.values + lane);
         }
     }
 }
 
 template <class D>
-HWY_INLINE bool is_any_before(D d, const LaneHits<D>& hits, hn::Vec<D> t_max) {
-    return !hn::AllFalse(d, hn::And(hits.valid, hn::Lt(hits.t, t_max)));
+HWY_INLINE bool is_any_before(D /*d*/, const LaneHits<D>& hits, hn::Vec<D> t_max) {
+    using L = VectorLanes<D>;
+    return !L::none(L::both(hits.valid, L::is_less(hits.t, t_max)));
 }
 
 template <class D, class Block, class Test>

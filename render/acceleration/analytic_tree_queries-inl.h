@@ -18,7 +18,7 @@ struct ClosestInBlock {
                              hn::Set(Int<D>(), static_cast<std::int32_t>(best->object))};
         bool offered = false;
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            offered |= nearest.offer(d, test(d, ray, block, lane), block.object, lane);
+            offered |= nearest.offer(test(d, ray, block, lane), block.object.values + lane);
         }
         if (offered) {
             Candidate candidate{best->t, best->object};

@@ -9,11 +9,10 @@
 
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
+#include "render/acceleration/kernels-inl.h"
 #include "render/acceleration/wide_tree.h"
-#include "render/geometry/kernels-inl.h"
 #include "render/geometry/ray.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,34 +20,12 @@ namespace carom::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-inline constexpr float kLargest = std::numeric_limits<float>::max();
-
 using PacketTag = hn::CappedTag<float, 16>;          // a ray in each lane
 using ChildTag = hn::CappedTag<float, kBlockLanes>;  // a child's box in each lane
+using PacketLanes = VectorLanes<PacketTag>;
+using ChildLanes = VectorLanes<ChildTag>;
 inline constexpr int kPacketLanes =
     static_cast<int>(HWY_LANES(float)) < 16 ? static_cast<int>(HWY_LANES(float)) : 16;
-
-/// Lines in the form that box tests need. Boxes are widened by a fraction of the origin's
-/// coordinates, so that rounding never makes a box test miss what the test of a shape hits.
-/// Products and differences are not fused, so that every instruction set gives the same distances.
-template <class L>
-struct BoxLines {
-    ValueOf<L> low[3], high[3];  // the origin before lower planes, and before upper ones
-    ValueOf<L> inverse[3];       // of the direction
-};
-
-template <class L>
-HWY_INLINE BoxLines<L> box_lines(const ValueOf<L> (&origin)[3], const ValueOf<L> (&direction)[3]) {
-    const auto sum = L::size(origin[0]) + L::size(origin[1]) + L::size(origin[2]);
-    const auto margin = sum * L::all(0x1p-18f);
-    BoxLines<L> lines;
-    for (int axis = 0; axis < 3; ++axis) {
-        lines.low[axis] = origin[axis] + margin;
-        lines.high[axis] = origin[axis] - margin;
-        lines.inverse[axis] = finite_reciprocal<L>(direction[axis]);
-    }
-    return lines;
-}
 
 /// The order in which the children of a node are visited. For queries that end at any hit, sorting
 /// does not pay.
@@ -80,16 +57,15 @@ class SingleRay {
               ray.t_min, ray.time, limit) {}
     HWY_INLINE SingleRay(const BoxLines<ScalarLanes<float>>& line, float t_min, float time,
                          const float& limit)
-        : limit_(limit), t_min_(hn::Set(ChildTag(), t_min)), time_(hn::Set(ChildTag(), time)) {
-        const ChildTag d;
+        : limit_(limit), t_min_(ChildLanes::all(t_min)), time_(ChildLanes::all(time)) {
         for (int axis = 0; axis < 3; ++axis) {
             const float origins[2] = {line.low[axis], line.high[axis]};
             const int first =
                 static_cast<int>(std::bit_cast<std::uint32_t>(line.inverse[axis]) >> 31u);
             first_side_[axis] = first;
-            origin_[axis][0] = hn::Set(d, origins[first]);
-            origin_[axis][1] = hn::Set(d, origins[1 - first]);
-            inverse_[axis] = hn::Set(d, line.inverse[axis]);
+            origin_[axis][0] = ChildLanes::all(origins[first]);
+            origin_[axis][1] = ChildLanes::all(origins[1 - first]);
+            inverse_[axis] = ChildLanes::all(line.inverse[axis]);
         }
     }
 
@@ -102,28 +78,30 @@ class SingleRay {
     template <Order kOrder, bool kMoving, class Nodes>
     HWY_INLINE bool enter_children(const Nodes& tree, Entry& current,
                                    WaitingChildren<Entry>& waiting) const {
+        using L = ChildLanes;
         const ChildTag d;
         const auto index = static_cast<std::uint32_t>(current.child);
         const WideNode& node = tree.node(index);
         alignas(32) float enters[kBlockLanes];
         unsigned children = 0;
-        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+        for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
             const auto at = [&](int axis, int side) HWY_ATTR {
                 const int which = first_side_[axis] ^ side;
                 auto plane = hn::Load(d, node.planes[axis][which].values + lane);
                 if constexpr (kMoving) {
                     const auto travel =
                         hn::Load(d, tree.travel(index).planes[axis][which].values + lane);
-                    plane = hn::Add(plane, hn::Mul(time_, travel));
+                    plane = plane + time_ * travel;
                 }
-                return hn::Mul(hn::Sub(plane, origin_[axis][side]), inverse_[axis]);
+                return (plane - origin_[axis][side]) * inverse_[axis];
             };
             // In pairs: no result waits for more than two others.
-            const auto enter = hn::Max(hn::Max(at(0, 0), at(1, 0)), hn::Max(at(2, 0), t_min_));
+            const auto enter =
+                L::larger(L::larger(at(0, 0), at(1, 0)), L::larger(at(2, 0), t_min_));
             const auto leave =
-                hn::Min(hn::Min(at(0, 1), at(1, 1)), hn::Min(at(2, 1), hn::Set(d, limit_)));
+                L::smaller(L::smaller(at(0, 1), at(1, 1)), L::smaller(at(2, 1), L::all(limit_)));
             std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(d, hn::Le(enter, leave), bits);
+            hn::StoreMaskBits(d, L::is_at_most(enter, leave), bits);
             hn::Store(enter, d, enters + lane);
             children |= static_cast<unsigned>(bits[0]) << lane;
         }
@@ -152,37 +130,15 @@ class SingleRay {
 
   private:
     const float& limit_;
-    hn::Vec<ChildTag> t_min_, time_;
-    hn::Vec<ChildTag> origin_[3][2];  // before the plane that is crossed first, and the other one
-    hn::Vec<ChildTag> inverse_[3];
+    ChildLanes::Value t_min_, time_;
+    ChildLanes::Value origin_[3][2];  // before the plane that is crossed first, and the other one
+    ChildLanes::Value inverse_[3];
     int first_side_[3];
 };
 
-/// Where rays enter and leave a box.
-struct Passage {
-    hn::Vec<PacketTag> enter, leave;
-};
-
-/// `planes`: by axis, low and high. Not cut at the rays' ends.
-HWY_INLINE Passage passage(const float (&planes)[3][2],
-                           const BoxLines<VectorLanes<PacketTag>>& lines) {
-    const PacketTag d;
-    hn::Vec<PacketTag> near[3];
-    hn::Vec<PacketTag> far[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto a =
-            hn::Mul(hn::Sub(hn::Set(d, planes[axis][0]), lines.low[axis]), lines.inverse[axis]);
-        const auto b =
-            hn::Mul(hn::Sub(hn::Set(d, planes[axis][1]), lines.high[axis]), lines.inverse[axis]);
-        near[axis] = hn::Min(a, b);
-        far[axis] = hn::Max(a, b);
-    }
-    return {hn::Max(hn::Max(near[0], near[1]), near[2]), hn::Min(hn::Min(far[0], far[1]), far[2])};
-}
-
 /// The box of a child.
-HWY_INLINE Passage passage(const WideNode& node, int lane,
-                           const BoxLines<VectorLanes<PacketTag>>& lines) {
+template <class L>
+HWY_INLINE PassageOf<L> passage(const WideNode& node, int lane, const BoxLines<L>& lines) {
     float planes[3][2];
     for (int axis = 0; axis < 3; ++axis) {
         planes[axis][0] = node.planes[axis][0].values[lane];
@@ -232,7 +188,7 @@ struct alignas(64) PacketRays {
     /// Sets what box tests need.
     HWY_INLINE void prepare() {
         const PacketTag d;
-        const auto lines = box_lines<VectorLanes<PacketTag>>(
+        const auto lines = box_lines<PacketLanes>(
             {hn::Load(d, origin[0]), hn::Load(d, origin[1]), hn::Load(d, origin[2])},
             {hn::Load(d, direction[0]), hn::Load(d, direction[1]), hn::Load(d, direction[2])});
         for (int axis = 0; axis < 3; ++axis) {
@@ -245,7 +201,7 @@ struct alignas(64) PacketRays {
     [[nodiscard]] HWY_INLINE Entry root() const {
         const PacketTag d;
         Entry entry;
-        hn::Store(hn::Set(d, t_min), d, entry.enter);
+        hn::Store(PacketLanes::all(t_min), d, entry.enter);
         entry.child = 0;
         return entry;
     }
@@ -261,9 +217,9 @@ struct alignas(64) PacketRays {
     }
 
     /// The rays that enter a child before their limits.
-    [[nodiscard]] HWY_INLINE hn::Mask<PacketTag> active(const Entry& entry) const {
+    [[nodiscard]] HWY_INLINE PacketLanes::Mask active(const Entry& entry) const {
         const PacketTag d;
-        return hn::Le(hn::Load(d, entry.enter), hn::Load(d, limit));
+        return PacketLanes::is_at_most(hn::Load(d, entry.enter), hn::Load(d, limit));
     }
 
     /// go_alone() knows.
@@ -274,7 +230,7 @@ struct alignas(64) PacketRays {
     [[nodiscard]] HWY_INLINE bool go_alone(const Entry& entry, const Go& go) const {
         const PacketTag d;
         const auto rays = active(entry);
-        const auto count = static_cast<int>(hn::CountTrue(d, rays));
+        const int count = PacketLanes::count_of(rays);
         if (count > (entry.child < 0 ? kFewInLeaf : kFew) || count == 0) {
             return count == 0;
         }
@@ -293,11 +249,12 @@ struct alignas(64) PacketRays {
     HWY_INLINE bool enter_children(const Nodes& tree, const Entry& current,
                                    WaitingChildren<Entry>& waiting) const {
         static_assert(!kMoving);
+        using L = PacketLanes;
         const PacketTag d;
         const auto rays = active(current);
         const auto end = hn::Load(d, limit);
-        const auto start = hn::Set(d, t_min);
-        BoxLines<VectorLanes<PacketTag>> lines;
+        const auto start = L::all(t_min);
+        BoxLines<L> lines;
         for (int axis = 0; axis < 3; ++axis) {
             lines.low[axis] = hn::Load(d, low[axis]);
             lines.high[axis] = hn::Load(d, high[axis]);
@@ -307,13 +264,13 @@ struct alignas(64) PacketRays {
         Entry found[kBlockLanes];
         ChildOrder order;
         for (int lane = 0; lane < kBlockLanes && node.children[lane] != 0; ++lane) {
-            const Passage way = passage(node, lane, lines);
-            const auto enter = hn::Max(way.enter, start);
-            const auto inside = hn::And(hn::Le(enter, hn::Min(way.leave, end)), rays);
-            if (hn::AllFalse(d, inside)) {
+            const PassageOf<L> way = passage(node, lane, lines);
+            const auto enter = L::larger(way.enter, start);
+            const auto inside = L::both(L::is_at_most(enter, L::smaller(way.leave, end)), rays);
+            if (L::none(inside)) {
                 continue;
             }
-            const auto kept = hn::IfThenElse(inside, enter, hn::Set(d, kInfinity));
+            const auto kept = L::select(inside, enter, L::all(kInfinity));
             Entry& child =
                 kOrder == Order::any ? waiting.entries[waiting.count++] : found[order.count];
             hn::Store(kept, d, child.enter);

@@ -14,29 +14,28 @@ namespace carom::render::HWY_NAMESPACE {
 
 /// Rays of a batch, one in each lane, before they are asked.
 struct CandidateRays {
-    using Vector = hn::Vec<PacketTag>;
-    Vec3<Vector> origin, direction;
-    Vector limit;
-    BoxLines<PacketLanes> lines;
+    using L = PacketLanes;
+    RayOf<L> line;
+    L::Value limit;
+    BoxLines<L> lines;
 
-    [[nodiscard]] HWY_INLINE hn::Mask<PacketTag> meet(const Passage& way) const {
-        return hn::Le(hn::Max(way.enter, hn::Zero(PacketTag())), hn::Min(way.leave, limit));
+    [[nodiscard]] HWY_INLINE L::Mask meet(const PassageOf<L>& way) const {
+        return L::is_at_most(L::larger(way.enter, L::all(0)), L::smaller(way.leave, limit));
     }
-    [[nodiscard]] HWY_INLINE hn::Mask<PacketTag> meet(const Imath::Box3f& box) const {
-        return meet(passage(
+    [[nodiscard]] HWY_INLINE L::Mask meet(const Imath::Box3f& box) const {
+        return meet(passage<L>(
             {{box.min.x, box.max.x}, {box.min.y, box.max.y}, {box.min.z, box.max.z}}, lines));
     }
 
     /// Whether they may hit a leaf of a tree of one node. Most rays towards a lamp miss those of
     /// the shade around it.
-    [[nodiscard]] HWY_INLINE hn::Mask<PacketTag> meet_leaves(const TriangleTree& tree) const {
+    [[nodiscard]] HWY_INLINE L::Mask meet_leaves(const TriangleTree& tree) const {
         const WideNode& node = tree.tree.nodes[0];
-        auto meets = hn::MaskFromVec(hn::Zero(PacketTag()));
+        auto meets = L::first_lanes(0);
         for (int lane = 0; lane < kBlockLanes && node.children[lane] != 0; ++lane) {
             const LeafSlab& slab = tree.slabs[static_cast<std::uint32_t>(-1 - node.children[lane])];
-            meets =
-                hn::Or(meets, hn::AndNot(stay_beyond<PacketLanes>(slab, origin, direction, limit),
-                                         meet(passage(node, lane, lines))));
+            const auto gone = stay_beyond<L>(slab, line.origin, line.direction, limit);
+            meets = L::either(meets, L::without(meet(passage(node, lane, lines)), gone));
         }
         return meets;
     }
@@ -48,42 +47,38 @@ class WaitingRays {
     /// Adds the rays from `first` on that may meet the tree before `t`: finite ones (safe_ray.h)
     /// that pass through its box and not above its horizon, and meet a leaf if there are few.
     HWY_INLINE void add(const TriangleTree& tree, const RayBatch& batch, int first,
-                        hn::Vec<PacketTag> t) {
-        const PacketTag d;
-        const auto zero = hn::Zero(d);
-        hn::Vec<PacketTag> sum = hn::LoadU(d, batch.time + first);
+                        PacketLanes::Value t) {
+        using L = PacketLanes;
         CandidateRays rays;
+        Vec3<L::Value>& origin = rays.line.origin;
+        Vec3<L::Value>& direction = rays.line.direction;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            rays.origin[axis] = hn::LoadU(d, batch.origin[axis] + first);
-            rays.direction[axis] = hn::LoadU(d, batch.direction[axis] + first);
-            sum = hn::Add(sum, hn::Add(rays.origin[axis], rays.direction[axis]));
+            origin[axis] = L::load(batch.origin[axis] + first);
+            direction[axis] = L::load(batch.direction[axis] + first);
         }
-        rays.limit = hn::Min(t, hn::Set(d, kLargest));
-        rays.lines = box_lines<PacketLanes>({rays.origin.x, rays.origin.y, rays.origin.z},
-                                            {rays.direction.x, rays.direction.y, rays.direction.z});
-        const auto is_finite = hn::Eq(hn::Mul(sum, zero), zero);
-        const auto is_asked = hn::And(hn::And(is_finite, hn::Gt(t, zero)),
-                                      hn::FirstN(d, static_cast<std::size_t>(batch.count - first)));
-        auto may_hit = hn::And(is_asked, rays.meet(tree.bounds));
+        rays.limit = L::smaller(t, L::all(L::kLargest));
+        rays.lines =
+            box_lines<L>({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z});
+        const auto has_way =
+            L::both(is_finite<L>(rays.line, L::load(batch.time + first)), L::is_less(L::all(0), t));
+        auto may_hit =
+            L::both(L::both(has_way, L::first_lanes(batch.count - first)), rays.meet(tree.bounds));
         if (tree.horizon.width > 0) {
-            may_hit = hn::AndNot(
-                pass_above<PacketLanes>(tree.horizon.tables(), rays.origin, rays.direction),
-                may_hit);
+            may_hit = L::without(may_hit, pass_above<L>(tree.horizon.tables(), origin, direction));
         }
-        if (hn::AllFalse(d, may_hit)) {
+        if (L::none(may_hit)) {
             return;
         }
         if (tree.tree.nodes.size() == 1) {
-            may_hit = hn::And(rays.meet_leaves(tree), may_hit);
+            may_hit = L::both(rays.meet_leaves(tree), may_hit);
         }
         const PackedLanes goes(may_hit);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            hn::StoreU(goes.pack(rays.origin[axis]), d, origin_[axis] + count_);
-            hn::StoreU(goes.pack(rays.direction[axis]), d, direction_[axis] + count_);
+            L::store(goes.pack(origin[axis]), origin_[axis] + count_);
+            L::store(goes.pack(direction[axis]), direction_[axis] + count_);
         }
-        hn::StoreU(goes.pack(rays.limit), d, limit_ + count_);
-        const hn::RebindToSigned<PacketTag> di;
-        hn::StoreU(goes.pack(hn::Iota(di, first)), di, index_ + count_);
+        L::store(goes.pack(rays.limit), limit_ + count_);
+        L::store_int(goes.pack(L::from(first)), index_ + count_);
         count_ += goes.count();
     }
 
@@ -101,9 +96,8 @@ class WaitingRays {
             hn::Store(hn::Load(d, origin_[axis] + kPacketLanes), d, origin_[axis]);
             hn::Store(hn::Load(d, direction_[axis] + kPacketLanes), d, direction_[axis]);
         }
-        hn::Store(hn::IfThenElse(hn::FirstN(d, static_cast<std::size_t>(taken)),
-                                 hn::Load(d, limit_), hn::Set(d, -1.f)),
-                  d, rays.limit);
+        using L = PacketLanes;
+        hn::Store(L::select(L::first_lanes(taken), hn::Load(d, limit_), L::all(-1)), d, rays.limit);
         hn::Store(hn::Load(d, limit_ + kPacketLanes), d, limit_);
         hn::Store(hn::Load(di, index_), di, index);
         hn::Store(hn::Load(di, index_ + kPacketLanes), di, index_);
@@ -133,7 +127,7 @@ HWY_INLINE void for_packets(const TriangleTree& tree, const RayBatch& batch, con
     PacketRays rays;
     alignas(64) std::int32_t index[kPacketLanes];
     for (int first = 0; first < batch.count; first += kPacketLanes) {
-        waiting.add(tree, batch, first, hn::LoadU(PacketTag(), t + first));
+        waiting.add(tree, batch, first, PacketLanes::load(t + first));
         if (waiting.count() >= kPacketLanes) {
             ask(rays, index, waiting.take(rays, index));
         }
@@ -194,7 +188,7 @@ inline HWY_ATTR bool closest_of_ray(const TriangleTree& tree, const Ray& ray, Hi
     if (!may_hit(tree, ray)) {
         return false;
     }
-    float limit = std::min(ray.t_max, kLargest);
+    float limit = std::min(ray.t_max, PacketLanes::kLargest);
     std::int32_t object = -1;
     std::int32_t primitive = 0;
     float u = 0;
@@ -212,7 +206,7 @@ inline HWY_ATTR bool any_of_ray(const TriangleTree& tree, const Ray& ray) {
     if (!may_hit(tree, ray)) {
         return false;
     }
-    float limit = std::min(ray.t_max, kLargest);
+    float limit = std::min(ray.t_max, PacketLanes::kLargest);
     traverse<Order::any>(tree.tree, SingleRay(ray, limit), {ray.t_min, 0},
                          AnyOfRay{tree, ray, limit});
     return limit < 0;

@@ -10,36 +10,27 @@ namespace carom::render::HWY_NAMESPACE {
 
 namespace kernels = triangle::HWY_NAMESPACE;
 
-#define CAROM_KERNEL HWY_INLINE
-#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
-#include "render/acceleration/kernels/culling.h"
-#undef CAROM_KERNEL_ATTRIBUTE
-#undef CAROM_KERNEL
-
-using PacketLanes = VectorLanes<PacketTag>;
-
-template <class D>
-HWY_INLINE kernels::HitIn<VectorLanes<D>> test(
-    const Vec3<hn::Vec<D>>& origin, const Vec3<hn::Vec<D>>& direction,
-    const kernels::MollerTrumbore::Record<VectorLanes<D>>& triangles, float t_min) {
-    const D d;
+template <class L>
+HWY_INLINE kernels::HitIn<L> test(const Vec3<typename L::Value>& origin,
+                                  const Vec3<typename L::Value>& direction,
+                                  const kernels::MollerTrumbore::Record<L>& triangles,
+                                  float t_min) {
     return kernels::MollerTrumbore::intersect<triangle::Division::early>(
-        kernels::RayIn<VectorLanes<D>>{origin, direction, hn::Set(d, t_min), hn::Set(d, kInfinity)},
-        triangles);
+        kernels::RayIn<L>{origin, direction, L::all(t_min), L::all(kInfinity)}, triangles);
 }
 
 /// The triangles of a leaf, from `lane` on, for one ray.
-HWY_INLINE kernels::HitIn<VectorLanes<ChildTag>> test_block(const TriangleBlock& block, int lane,
-                                                            const Ray& ray) {
-    using L = VectorLanes<ChildTag>;
+HWY_INLINE kernels::HitIn<ChildLanes> test_block(const TriangleBlock& block, int lane,
+                                                 const Ray& ray) {
+    using L = ChildLanes;
     const auto load = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
         const ChildTag d;
         return Vec3<L::Value>{hn::Load(d, numbers[0].values + lane),
                               hn::Load(d, numbers[1].values + lane),
                               hn::Load(d, numbers[2].values + lane)};
     };
-    return test<ChildTag>(all_of<L>(ray.origin), all_of<L>(ray.direction),
-                          {load(block.corner), load(block.edge_b), load(block.edge_c)}, ray.t_min);
+    return test<L>(all_of<L>(ray.origin), all_of<L>(ray.direction),
+                   {load(block.corner), load(block.edge_b), load(block.edge_c)}, ray.t_min);
 }
 
 /// Whether no triangle of a leaf can be hit before `limit`.
@@ -62,13 +53,14 @@ struct ClosestOfRay {
         if (stays_beyond(tree.slabs[leaf], ray, limit)) {
             return false;
         }
+        using L = ChildLanes;
         const ChildTag d;
         const TriangleNames& names = tree.names[leaf];
-        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+        for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
             const auto hit = test_block(tree.blocks[leaf], lane, ray);
-            const auto distance = hn::Max(hit.t, hn::Set(d, entry.enter));
-            const auto near = hn::And(hit.valid, hn::Le(distance, hn::Set(d, limit)));
-            if (hn::AllFalse(d, near)) {
+            const auto distance = L::larger(hit.t, L::all(entry.enter));
+            const auto near = L::both(hit.valid, L::is_at_most(distance, L::all(limit)));
+            if (L::none(near)) {
                 continue;
             }
             alignas(32) float t[kBlockLanes];
@@ -111,11 +103,11 @@ struct AnyOfRay {
         if (stays_beyond(tree.slabs[leaf], ray, limit)) {
             return false;
         }
-        const ChildTag d;
-        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+        using L = ChildLanes;
+        for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
             const auto hit = test_block(tree.blocks[leaf], lane, ray);
-            const auto distance = hn::Max(hit.t, hn::Set(d, entry.enter));
-            if (!hn::AllFalse(d, hn::And(hit.valid, hn::Lt(distance, hn::Set(d, limit))))) {
+            const auto distance = L::larger(hit.t, L::all(entry.enter));
+            if (!L::none(L::both(hit.valid, L::is_less(distance, L::all(limit))))) {
                 limit = -1;
                 return true;
             }
@@ -142,7 +134,8 @@ struct PacketQuery {
     template <class Offer>
     HWY_INLINE void test_leaf(std::uint32_t leaf, const PacketRays::Entry& entry,
                               const Offer& offer) const {
-        using Vector = Vec3<hn::Vec<PacketTag>>;
+        using L = PacketLanes;
+        using Vector = Vec3<L::Value>;
         const PacketTag d;
         const auto load = [&](const float(&numbers)[3][kPacketLanes]) HWY_ATTR {
             return Vector{hn::Load(d, numbers[0]), hn::Load(d, numbers[1]),
@@ -151,22 +144,22 @@ struct PacketQuery {
         const Vector origin = load(rays.origin);
         const Vector direction = load(rays.direction);
         const auto gone =
-            stay_beyond<PacketLanes>(tree.slabs[leaf], origin, direction, hn::Load(d, rays.limit));
-        const auto meets = hn::AndNot(gone, rays.active(entry));
-        if (hn::AllFalse(d, meets)) {
+            stay_beyond<L>(tree.slabs[leaf], origin, direction, hn::Load(d, rays.limit));
+        const auto meets = L::without(rays.active(entry), gone);
+        if (L::none(meets)) {
             return;
         }
-        const auto enter = hn::IfThenElse(meets, hn::Load(d, entry.enter), hn::Set(d, kInfinity));
+        const auto enter = L::select(meets, hn::Load(d, entry.enter), L::all(kInfinity));
         const TriangleBlock& block = tree.blocks[leaf];
         for (int k = 0; k < kBlockLanes && tree.names[leaf].object.values[k] >= 0; ++k) {
             const auto in_all = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
-                return Vector{hn::Set(d, numbers[0].values[k]), hn::Set(d, numbers[1].values[k]),
-                              hn::Set(d, numbers[2].values[k])};
+                return Vector{L::all(numbers[0].values[k]), L::all(numbers[1].values[k]),
+                              L::all(numbers[2].values[k])};
             };
-            auto hit = test<PacketTag>(
-                origin, direction,
-                {in_all(block.corner), in_all(block.edge_b), in_all(block.edge_c)}, rays.t_min);
-            hit.t = hn::Max(hit.t, enter);
+            auto hit = test<L>(origin, direction,
+                               {in_all(block.corner), in_all(block.edge_b), in_all(block.edge_c)},
+                               rays.t_min);
+            hit.t = L::larger(hit.t, enter);
             offer(k, hit);
         }
     }
@@ -189,29 +182,28 @@ struct ClosestOfPacket : PacketQuery {
     }
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const PacketRays::Entry& entry) const {
+        using L = PacketLanes;
         const PacketTag d;
-        const hn::RebindToSigned<PacketTag> di;
+        const L::IntTag di;
         const TriangleNames& names = tree.names[leaf];
-        test_leaf(leaf, entry, [&](int k, const kernels::HitIn<PacketLanes>& hit) HWY_ATTR {
+        test_leaf(leaf, entry, [&](int k, const kernels::HitIn<L>& hit) HWY_ATTR {
             const auto limit = hn::Load(d, rays.limit);
-            auto take = hn::And(hit.valid, hn::Le(hit.t, limit));
-            if (hn::AllFalse(d, take)) {
+            if (L::none(L::both(hit.valid, L::is_at_most(hit.t, limit)))) {
                 return;
             }
-            const auto object = hn::Set(di, names.object.values[k]);
-            const auto number = hn::Set(di, names.number.values[k]);
+            const auto object = L::all_int(names.object.values[k]);
+            const auto number = L::all_int(names.number.values[k]);
             const auto old_object = hn::Load(di, hits.object);
             const auto old_number = hn::Load(di, hits.primitive);
-            const auto lower =
-                hn::Or(hn::Lt(object, old_object),
-                       hn::And(hn::Eq(object, old_object), hn::Lt(number, old_number)));
-            take = hn::And(take, hn::Or(hn::Lt(hit.t, limit), hn::RebindMask(d, lower)));
-            hn::Store(hn::IfThenElse(take, hit.t, limit), d, rays.limit);
-            const auto take_int = hn::RebindMask(di, take);
-            hn::Store(hn::IfThenElse(take_int, object, old_object), di, hits.object);
-            hn::Store(hn::IfThenElse(take_int, number, old_number), di, hits.primitive);
-            hn::Store(hn::IfThenElse(take, hit.u, hn::Load(d, hits.u)), d, hits.u);
-            hn::Store(hn::IfThenElse(take, hit.v, hn::Load(d, hits.v)), d, hits.v);
+            const auto is_lower = L::either(
+                L::is_less_int(object, old_object),
+                L::both(L::is_equal_int(object, old_object), L::is_less_int(number, old_number)));
+            const auto take = is_better<L>({hit.t, hit.valid}, limit, is_lower);
+            hn::Store(L::select(take, hit.t, limit), d, rays.limit);
+            hn::Store(L::select_int(take, object, old_object), di, hits.object);
+            hn::Store(L::select_int(take, number, old_number), di, hits.primitive);
+            hn::Store(L::select(take, hit.u, hn::Load(d, hits.u)), d, hits.u);
+            hn::Store(L::select(take, hit.v, hn::Load(d, hits.v)), d, hits.v);
         });
         return false;
     }
@@ -224,11 +216,12 @@ struct AnyOfPacket : PacketQuery {
     [[nodiscard]] HWY_INLINE AnyOfRay of_one(int i) const { return {tree, ray(i), rays.limit[i]}; }
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const PacketRays::Entry& entry) const {
+        using L = PacketLanes;
         const PacketTag d;
         auto limit = hn::Load(d, rays.limit);
-        test_leaf(leaf, entry, [&](int /*k*/, const kernels::HitIn<PacketLanes>& hit) HWY_ATTR {
-            const auto found = hn::And(hit.valid, hn::Lt(hit.t, limit));
-            limit = hn::IfThenElse(found, hn::Set(d, -1.f), limit);
+        test_leaf(leaf, entry, [&](int /*k*/, const kernels::HitIn<L>& hit) HWY_ATTR {
+            const auto found = L::both(hit.valid, L::is_less(hit.t, limit));
+            limit = L::select(found, L::all(-1), limit);
         });
         hn::Store(limit, d, rays.limit);
         return false;

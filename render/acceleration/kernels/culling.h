@@ -1,5 +1,5 @@
 // Which rays need not be tested with triangles, in lanes. Included as
-// render/lanes/kernels/vectors.h is, after render/triangle/kernels/common.h.
+// render/lanes/kernels/vectors.h is.
 
 /// Whether rays stay beyond a slab up to `end`: they start there and do not turn to it, or do not
 /// reach it. `end` is finite.

@@ -9,7 +9,7 @@
 #endif
 
 #include "render/acceleration/block_lists.h"
-#include "render/geometry/kernels-inl.h"
+#include "render/acceleration/kernels-inl.h"
 #include "render/geometry/ray.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,11 +29,9 @@ struct RayLanes {
 };
 
 template <class D>
-HWY_INLINE RayLanes<D> broadcast(D d, const Ray& ray) {
+HWY_INLINE RayLanes<D> broadcast(D /*d*/, const Ray& ray) {
     using L = VectorLanes<D>;
-    return {{all_of<L>(ray.origin), all_of<L>(ray.direction)},
-            hn::Set(d, ray.t_min),
-            hn::Set(d, ray.time)};
+    return {{all_of<L>(ray.origin), all_of<L>(ray.direction)}, L::all(ray.t_min), L::all(ray.time)};
 }
 
 /// Where a ray hits each shape of a block from `lane` on, or one shape for a ray in every lane.

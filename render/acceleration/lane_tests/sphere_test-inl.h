@@ -32,13 +32,14 @@ HWY_INLINE SphereLanes<D> spheres_from(D d, const RayLanes<D>& ray, const Static
 template <class D, class At>
 HWY_INLINE SphereLanes<D> spheres_from(D d, const RayLanes<D>& ray, const MovingSphereBlock& block,
                                        At lane) {
-    const auto centre = point_on_path<VectorLanes<D>>(
-        load(d, block.path[0], lane), load(d, block.path[1], lane), load(d, block.path[2], lane),
-        load(d, block.path[3], lane), hn::Sub(ray.time, load(d, block.path_start, lane)));
-    const hn::Mask<D> is_valid = hn::And(hn::Ge(ray.time, load(d, block.start, lane)),
-                                         hn::Lt(ray.time, load(d, block.end, lane)));
+    using L = VectorLanes<D>;
+    const auto centre = point_on_path<L>(load(d, block.path[0], lane), load(d, block.path[1], lane),
+                                         load(d, block.path[2], lane), load(d, block.path[3], lane),
+                                         ray.time - load(d, block.path_start, lane));
+    const auto is_valid = L::both(L::is_at_most(load(d, block.start, lane), ray.time),
+                                  L::is_less(ray.time, load(d, block.end, lane)));
     return {centre - ray.line.origin,
-            hn::IfThenElse(is_valid, load(d, block.radius2, lane), hn::Set(d, -1.f))};
+            L::select(is_valid, load(d, block.radius2, lane), L::all(-1))};
 }
 
 struct SphereTest {

@@ -53,7 +53,7 @@ namespace carom::render::device {
 #include "render/camera/kernels/thin_lens.h"
 #include "render/integrator/kernels/all.h"
 #include "render/integrator/wave/kernels/all.h"
-#include "render/acceleration/kernels/culling.h"
+#include "render/acceleration/kernels/all.h"
 #include "render/denoise/kernels/all.h"
 // clang-format on
 
@@ -237,6 +237,11 @@ CAROM_KERNEL void scatter(const Scene& scene, const Vec3<float>& normal, const V
 
 CAROM_KERNEL void follow(const Scene& scene, const RayOf<L>& ray, const Vec2<float>& u,
                          const Sum& sum) {
+    const BoxLines<L> lines = box_lines<L>({ray.origin.x, ray.origin.y, ray.origin.z},
+                                           {ray.direction.x, ray.direction.y, ray.direction.z});
+    const PassageOf<L> way = passage<L>({{u.x, 1}, {u.y, 2}, {u.x, 3}}, lines);
+    sum.add(way.enter + way.leave);
+    sum.add(is_better<L>({u.x, is_finite<L>(ray, u.y)}, u.y, u.x > 0) ? u.x : u.y);
     sum.add(pass_above<L>(scene.horizon, ray.origin, ray.direction) ? u.x : u.y);
     sum.add(stay_beyond<L>(scene.slab, ray.origin, ray.direction, u.x) ? u.x : u.y);
     sum.add(lattice_point<L>(u, 2, 5));
