@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/cpu_time.h"
+#include "core/error.h"
 #include "pipeline/solve/outcome_map.h"
 #include "pipeline/solve/solver.h"
 
@@ -29,12 +30,11 @@ double seconds_of_trial(const JudgedStrike& job, const std::stop_token& stop) {
     return thread_cpu_seconds() - start;
 }
 
-Judged judged_of(const JudgedStrike& job, const pipeline::PartsWork& work) {
-    Judged judged;
+void judge(const JudgedStrike& job, const pipeline::PartsWork& work, Judged& judged) {
     judged.direction = *job.sought.strike().direction;
     const std::vector<Pot> pots = pots_of(job.sought, job.timeline);
     if (pots.empty()) {
-        return judged;
+        return;
     }
     const solve::Solution found =
         solve::Solver(job.trials, pot_problem(job.sought, pots)).judge(job.sought.strike(), work);
@@ -44,7 +44,6 @@ Judged judged_of(const JudgedStrike& job, const pipeline::PartsWork& work) {
         judged.chance = found.chance;
         judged.chance_error = found.chance_error;
     }
-    return judged;
 }
 
 /// The directions of the map: those of the question, else around the strike.
@@ -90,11 +89,17 @@ void judge_strike(const JudgedStrike& job, const std::stop_token& stop,
                   const std::function<void(const ServerMessage&)>& tell) {
     pipeline::PartsWork work;
     work.context.stop = stop;
-    const bool is_quick = seconds_of_trial(job, stop) < kSlowTrial;
-    Judged judged = is_quick ? judged_of(job, work) : Judged{};
-    judged.q = job.question.q;
-    judged.v = job.v;
-    judged.event = job.question.event;
+    Judged judged{job.question.q, job.v, job.question.event};
+    bool is_quick = false;
+    try {
+        is_quick = seconds_of_trial(job, stop) < kSlowTrial;
+        if (is_quick) {
+            judge(job, work, judged);
+        }
+    } catch (const Stopped&) {
+        tell(judged);  // nothing is known: a page asks no other question about the shot before
+        throw;
+    }
     tell(judged);
     const std::vector<Pot> pots = pots_of_map(job, judged);
     if (!job.question.wants_map || !is_quick || pots.empty()) {

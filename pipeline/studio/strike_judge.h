@@ -22,7 +22,7 @@ struct JudgedStrike {
 
 /// Tells what the strike pots, within which directions and how likely, then, if that is wanted, the
 /// maps of others like it. A shot whose trials take long is not judged. Throws Stopped if a stop is
-/// requested.
+/// requested, after an answer without pots if there was none yet.
 void judge_strike(const JudgedStrike& job, const std::stop_token& stop,
                   const std::function<void(const ServerMessage&)>& tell);
 

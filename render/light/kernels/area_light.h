@@ -33,13 +33,14 @@ struct RectangleLightOf {
     using V = ValueOf<L>;
     const AreaLightConstants& light;
 
-    CAROM_KERNEL Vec3<V> point_at(const Vec2<V>& u) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<V> point_at(const Vec2<V>& u) const {
         const V a = L::all(2) * u.x - L::all(1);
         const V b = L::all(2) * u.y - L::all(1);
         return all_of<L>(light.centre) + all_of<L>(light.edge_u) * a + all_of<L>(light.edge_v) * b;
     }
 
-    CAROM_KERNEL LightSampleOf<L> sample(const Vec3<V>& point, const Vec2<V>& u) const {
+    [[nodiscard]] CAROM_KERNEL LightSampleOf<L> sample(const Vec3<V>& point,
+                                                       const Vec2<V>& u) const {
         const Vec3<V> to_light = point_at(u) - point;
         const V height = L::opposite_sign(dot(to_light, all_of<L>(light.normal)));
         const auto valid = L::is_less(L::all(0), height);
@@ -51,7 +52,8 @@ struct RectangleLightOf {
                 all_of<L>(light.radiance) * gain_of_area_light<L>(light, pdf), valid};
     }
 
-    CAROM_KERNEL V pdf(const Vec3<V>& /*point*/, const Vec3<V>& direction, V distance) const {
+    [[nodiscard]] CAROM_KERNEL V pdf(const Vec3<V>& /*point*/, const Vec3<V>& direction,
+                                     V distance) const {
         const V cosine = L::opposite_sign(dot(direction, all_of<L>(light.normal)));
         const auto faces = L::is_less(L::all(0), cosine);
         const V pdf =
@@ -59,7 +61,7 @@ struct RectangleLightOf {
         return L::select(faces, pdf, L::all(0));
     }
 
-    CAROM_KERNEL V importance(const Vec3<V>& point, const Vec3<V>& normal) const {
+    [[nodiscard]] CAROM_KERNEL V importance(const Vec3<V>& point, const Vec3<V>& normal) const {
         const Vec3<V> to_light = all_of<L>(light.centre) - point;
         const V distance2 = L::larger(dot(to_light, to_light), L::all(1e-12f));
         const V distance = L::root(distance2);
@@ -77,15 +79,16 @@ struct RectangleLightOf {
         return L::select(shines, value, L::all(0));
     }
 
-    CAROM_KERNEL LightPointOf<L> sample_point(const Vec3<V>& /*receiver*/, V /*receiver_radius*/,
-                                              const Vec2<V>& u) const {
+    [[nodiscard]] CAROM_KERNEL LightPointOf<L> sample_point(const Vec3<V>& /*receiver*/,
+                                                            V /*receiver_radius*/,
+                                                            const Vec2<V>& u) const {
         return {point_at(u), all_of<L>(light.normal), L::all(1 / light.area)};
     }
-    CAROM_KERNEL MaskOf<L> can_sample_point(V distance, V /*receiver_radius*/) const {
+    [[nodiscard]] CAROM_KERNEL MaskOf<L> can_sample_point(V distance, V /*receiver_radius*/) const {
         return L::is_less(L::all(0), distance);
     }
-    CAROM_KERNEL V distance_along(const Vec3<V>& /*origin*/, const Vec3<V>& /*direction*/,
-                                  V to_point) const {
+    [[nodiscard]] CAROM_KERNEL V distance_along(const Vec3<V>& /*origin*/,
+                                                const Vec3<V>& /*direction*/, V to_point) const {
         return to_point;
     }
 };
@@ -97,7 +100,8 @@ struct SphereLightOf {
     using V = ValueOf<L>;
     const AreaLightConstants& light;
 
-    CAROM_KERNEL LightSampleOf<L> sample(const Vec3<V>& point, const Vec2<V>& u) const {
+    [[nodiscard]] CAROM_KERNEL LightSampleOf<L> sample(const Vec3<V>& point,
+                                                       const Vec2<V>& u) const {
         const Vec3<V> to_light = all_of<L>(light.centre) - point;
         const V radius = L::all(light.radius);
         const V distance2 = dot(to_light, to_light);
@@ -116,7 +120,8 @@ struct SphereLightOf {
                 L::is_less(radius * radius, distance2)};
     }
 
-    CAROM_KERNEL V pdf(const Vec3<V>& point, const Vec3<V>& /*direction*/, V /*distance*/) const {
+    [[nodiscard]] CAROM_KERNEL V pdf(const Vec3<V>& point, const Vec3<V>& /*direction*/,
+                                     V /*distance*/) const {
         const Vec3<V> to_light = all_of<L>(light.centre) - point;
         const V radius = L::all(light.radius);
         const V distance2 = dot(to_light, to_light);
@@ -126,7 +131,7 @@ struct SphereLightOf {
                          L::all(0));
     }
 
-    CAROM_KERNEL V importance(const Vec3<V>& point, const Vec3<V>& normal) const {
+    [[nodiscard]] CAROM_KERNEL V importance(const Vec3<V>& point, const Vec3<V>& normal) const {
         const Vec3<V> to_light = all_of<L>(light.centre) - point;
         const V distance = L::larger(L::root(dot(to_light, to_light)), L::all(1e-6f));
         const V radius = L::all(light.radius);
@@ -142,8 +147,9 @@ struct SphereLightOf {
     // the receiver that hits the light crosses it. Such a ray passes the centre within the radius,
     // at an angle to the disk's normal whose sine is at most (receiver_radius + radius) / distance,
     // so it crosses within radius / cosine.
-    CAROM_KERNEL LightPointOf<L> sample_point(const Vec3<V>& receiver, V receiver_radius,
-                                              const Vec2<V>& u) const {
+    [[nodiscard]] CAROM_KERNEL LightPointOf<L> sample_point(const Vec3<V>& receiver,
+                                                            V receiver_radius,
+                                                            const Vec2<V>& u) const {
         const Vec3<V> centre = all_of<L>(light.centre);
         const Vec3<V> to_receiver = receiver - centre;
         const V distance = L::root(dot(to_receiver, to_receiver));
@@ -155,13 +161,13 @@ struct SphereLightOf {
         return {centre + basis.x * (place.x * disk) + basis.y * (place.y * disk), basis.z,
                 L::all(1) / (L::all(kPi) * disk * disk)};
     }
-    CAROM_KERNEL MaskOf<L> can_sample_point(V distance, V receiver_radius) const {
+    [[nodiscard]] CAROM_KERNEL MaskOf<L> can_sample_point(V distance, V receiver_radius) const {
         // The bound keeps the disk from growing without limit.
         constexpr float kWidestSine = 0.9f;
         return L::is_less(receiver_radius + L::all(light.radius), L::all(kWidestSine) * distance);
     }
-    CAROM_KERNEL V distance_along(const Vec3<V>& origin, const Vec3<V>& direction,
-                                  V /*to_point*/) const {
+    [[nodiscard]] CAROM_KERNEL V distance_along(const Vec3<V>& origin, const Vec3<V>& direction,
+                                                V /*to_point*/) const {
         const Vec3<V> to_light = all_of<L>(light.centre) - origin;
         const V along = dot(to_light, direction);
         const Vec3<V> beside = to_light - direction * along;

@@ -12,6 +12,7 @@
 #include "pipeline/solve/outcome_map.h"
 #include "pipeline/solve/solver.h"
 #include "pipeline/studio/sought_strike.h"
+#include "pipeline/studio/strike_judge.h"
 #include "sim/bake.h"
 
 namespace carom::studio {
@@ -304,6 +305,25 @@ TEST_F(ShotSolverWork, StrikeThatPotsNothing_HasOnlyTheMapOfTheBallThatItHits) {
     EXPECT_EQ(map.pots[0].pocket, "");
     EXPECT_EQ(map.directions[0], -0.5);
     EXPECT_EQ(map.directions[1], -0.3);
+}
+
+// Otherwise the page, which waits for an answer, would not ask again about the same shot.
+TEST(StrikeJudge, OutOfTime_AnswersThatNothingIsKnown) {
+    const Baked baked = with_strike("pot: one, in: corner_right_back, speed: 2 m/s");
+    const SoughtStrike sought = sought_strike(*baked.shot, *baked.timeline, 0, "");
+    const Judge question{7, 1, 0, true, {}};
+    std::stop_source out_of_time;
+    out_of_time.request_stop();
+    std::vector<ServerMessage> told;
+    EXPECT_THROW(judge_strike({std::make_shared<const sim::Trials>(sought.world), sought,
+                               *baked.timeline, question, 1},
+                              out_of_time.get_token(),
+                              [&](const ServerMessage& message) { told.push_back(message); }),
+                 Stopped);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(std::get<Judged>(told[0]).q, 7);
+    EXPECT_EQ(std::get<Judged>(told[0]).v, 1);
+    EXPECT_TRUE(std::get<Judged>(told[0]).pots.empty());
 }
 
 }  // namespace
