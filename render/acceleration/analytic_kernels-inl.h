@@ -8,8 +8,8 @@ namespace carom::render::HWY_NAMESPACE {
 template <class D>
 struct BestLanes {
     using L = VectorLanes<D>;
-    typename L::Value t;
-    typename L::Int object;
+    ValueOf<L> t;
+    IntOf<L> object;
 
     /// Accepts nearer hits, and of equally near ones the lower object. Object -1, no hit yet, is
     /// never replaced at equal distance.
@@ -18,7 +18,7 @@ struct BestLanes {
         if (L::none(L::both(hits.valid, L::is_at_most(hits.t, t)))) {
             return false;
         }
-        const typename L::Int other = L::load_int(objects);
+        const IntOf<L> other = L::load_int(objects);
         const auto take = is_better<L>(hits, t, L::is_less_int(other, object));
         t = L::select(take, hits.t, t);
         object = L::select_int(take, other, object);

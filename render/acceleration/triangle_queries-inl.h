@@ -11,8 +11,7 @@ namespace carom::render::HWY_NAMESPACE {
 namespace kernels = triangle::HWY_NAMESPACE;
 
 template <class L>
-HWY_INLINE kernels::HitIn<L> test(const Vec3<typename L::Value>& origin,
-                                  const Vec3<typename L::Value>& direction,
+HWY_INLINE kernels::HitIn<L> test(const Vec3Of<L>& origin, const Vec3Of<L>& direction,
                                   const kernels::MollerTrumbore::Record<L>& triangles,
                                   float t_min) {
     return kernels::MollerTrumbore::intersect<triangle::Division::early>(
