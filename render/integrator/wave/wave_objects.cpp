@@ -71,34 +71,20 @@ std::uint8_t traits_of(const Material& material) {
                                      (has_gloss ? kHasGloss : 0));
 }
 
-/// Puts the motions of a frame's objects together.
-struct MotionLists {
-    std::vector<PathPiece> path;
-    std::vector<RotationPiece> turns;
-    std::vector<std::int32_t> path_begin{0}, turns_begin{0};
+/// Puts the pieces of objects' motions together.
+template <class Piece>
+struct ObjectPieces {
+    std::vector<Piece> pieces;
+    std::vector<std::int32_t> begin{0};
+    int most = 0;
 
-    /// `motion`: null at rest.
-    void add(const RigidMotion* motion) {
-        if (motion != nullptr) {
-            const MotionPieces pieces = motion->pieces();
-            path.insert(path.end(), pieces.path.begin(), pieces.path.end());
-            turns.insert(turns.end(), pieces.turns.begin(), pieces.turns.end());
-        }
-        path_begin.push_back(static_cast<std::int32_t>(path.size()));
-        turns_begin.push_back(static_cast<std::int32_t>(turns.size()));
+    void add(const List<Piece>& of_object) {
+        pieces.insert(pieces.end(), of_object.begin(), of_object.end());
+        begin.push_back(static_cast<std::int32_t>(pieces.size()));
+        most = std::max(most, of_object.count());
     }
-    [[nodiscard]] WaveMotions in(SceneArena& arena) const {
-        return {arena.add(path),        arena.add(turns),    arena.add(path_begin),
-                arena.add(turns_begin), most_of(path_begin), most_of(turns_begin)};
-    }
-
-  private:
-    static int most_of(const std::vector<std::int32_t>& begins) {
-        int most = 0;
-        for (std::size_t i = 1; i < begins.size(); ++i) {
-            most = std::max(most, begins[i] - begins[i - 1]);
-        }
-        return most;
+    [[nodiscard]] PiecesOfObjects<Piece> in(SceneArena& arena) const {
+        return {arena.add(pieces), arena.add(begin), most};
     }
 };
 
@@ -112,7 +98,8 @@ void add_objects(const TransportScene& scene, WaveScene& wave_scene, SceneArena&
     std::vector<std::uint16_t> group_of_object;
     std::vector<std::uint8_t> traits;
     NumberTable shapes;
-    MotionLists motions;
+    ObjectPieces<PathPiece> path;
+    ObjectPieces<RotationPiece> turns;
     for (std::uint32_t index = 0; index < scene.first_light_object; ++index) {
         const SceneObject& object = scene.frame.object(index);
         const WaveGroup group = make_group(scene, object, scene.frame.moves(index));
@@ -127,13 +114,16 @@ void add_objects(const TransportScene& scene, WaveScene& wave_scene, SceneArena&
         group_of_object.push_back(place->second);
         traits.push_back(traits_of(scene.materials[object.material]));
         shapes.add(numbers_of(object));
-        motions.add(scene.frame.motions()[index].get());
+        const RigidMotion* motion = scene.frame.motions()[index].get();
+        const MotionPieces pieces = motion != nullptr ? motion->pieces() : MotionPieces();
+        path.add(pieces.path);
+        turns.add(pieces.turns);
     }
     wave_scene.groups = arena.add(groups);
     wave_scene.group_of_object = arena.add(group_of_object);
     wave_scene.traits = arena.add(traits);
     wave_scene.shapes = shapes.rows(arena);
-    wave_scene.motions = motions.in(arena);
+    wave_scene.motions = {path.in(arena), turns.in(arena)};
 }
 
 }  // namespace carom::render

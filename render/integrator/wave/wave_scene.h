@@ -80,13 +80,16 @@ struct WaveGroup {
     }
 };
 
-/// The pieces of the motions of all objects, one object's after the other.
+/// Pieces of the motions of all objects, one object's after the other.
+template <class Piece>
+struct PiecesOfObjects {
+    List<Piece> pieces;
+    List<std::int32_t> begin;  // by object, of its pieces; they end where the next object's begin
+    int most = 0;              // of one object
+};
 struct WaveMotions {
-    List<PathPiece> path;
-    List<RotationPiece> turns;
-    // By object: where its pieces begin; those of an object end where the next one's begin.
-    List<std::int32_t> path_begin, turns_begin;
-    int most_path = 0, most_turns = 0;  // of one object
+    PiecesOfObjects<PathPiece> path;
+    PiecesOfObjects<RotationPiece> turns;
 };
 
 /// What a hit of an object needs besides becoming a vertex, as bits.

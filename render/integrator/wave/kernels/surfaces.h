@@ -39,31 +39,30 @@ CAROM_KERNEL TextureNeeds needs_of(const WaveGroup& group) {
     return {group.has_texture, group.needs_uv};
 }
 
+/// The pieces of objects' motions at a time.
+template <class L, class Piece>
+CAROM_KERNEL PieceAt<L, Piece> piece_at(const PiecesOfObjects<Piece>& motions, IntOf<L> object,
+                                        ValueOf<L> time) {
+    return PieceAt<L, Piece>(motions.pieces, gather<L>(motions.begin, object),
+                             gather<L>(motions.begin, object + L::all_int(1)), motions.most, time);
+}
+
 /// Where a moving object is at the path's time, and how it is turned.
 template <class L>
 CAROM_KERNEL Vec3Of<L> position_of(const SurfaceTask& task, const WaveHitOf<L>& hit) {
-    const WaveMotions& motions = task.scene.motions;
     const auto time = gather<L>(task.paths.time, hit.path);
-    const auto next = hit.object + L::all_int(1);
-    const PieceAt<L, PathPiece> at(motions.path, gather<L>(motions.path_begin, hit.object),
-                                   gather<L>(motions.path_begin, next), motions.most_path, time);
-    return position_at<L>(at, time);
+    return position_at<L>(piece_at<L>(task.scene.motions.path, hit.object, time), time);
 }
 template <class L>
 CAROM_KERNEL RotationOf<L> turn_of(const SurfaceTask& task, const WaveHitOf<L>& hit) {
-    const WaveMotions& motions = task.scene.motions;
     const auto time = gather<L>(task.paths.time, hit.path);
-    const auto next = hit.object + L::all_int(1);
-    const PieceAt<L, RotationPiece> at(motions.turns, gather<L>(motions.turns_begin, hit.object),
-                                       gather<L>(motions.turns_begin, next), motions.most_turns,
-                                       time);
-    return rotation_at<L>(at, time);
+    return rotation_at<L>(piece_at<L>(task.scene.motions.turns, hit.object, time), time);
 }
 
 template <class L>
 CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const SurfaceTask& task, const WaveHitOf<L>& hit) {
     const Vec3Of<L> centre = task.group.moves
-                                 ? gather<L>(task.vertices.position, hit.vertex)
+                                 ? position_of<L>(task, hit)
                                  : gather_vector<L>(hit, task, kWorldFromUnitTranslation);
     const auto radius = gather<L>(task.scene.shapes, kHalfSize, hit.object);
     SurfacePointOf<L> point = point_on_sphere<L>(hit.ray, hit.distance, centre, radius);
