@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "render/acceleration/acceleration_structure.h"
@@ -49,13 +51,14 @@ class QueueMemory {
     /// Gives queues or arrays room for so many entries, in one block.
     template <class... Queues>
     void reserve(int most, Queues&... queues) {
-        const auto size = static_cast<std::size_t>(most + kBeyondQueue);
+        const std::size_t size = static_cast<std::size_t>(most) + kBeyondQueue;
         std::size_t arrays = 0;
         (each_pointer([&](auto*& /*at*/) { arrays += 1; }, queues), ...);
         std::byte* next = blocks_.emplace_back(arrays * size * kNumberSize).data();
         const auto place = [&](auto*& at) {
             static_assert(sizeof(*at) == kNumberSize);
-            at = new (next) std::remove_reference_t<decltype(*at)>[size]();
+            at = static_cast<std::remove_reference_t<decltype(at)>>(static_cast<void*>(next));
+            std::uninitialized_value_construct_n(at, size);
             next += size * kNumberSize;
         };
         (each_pointer(place, queues), ...);
