@@ -41,17 +41,16 @@ class PackedStore {
     int i_;
 };
 
-/// What paths and rays have in every integrator.
-template <class Path>
-HWY_INLINE void store_ray(const PackedStore& store, const Path& path, const PathQueue& to) {
-    store(path.slot, to.slot);
-    store(path.branch, to.branch);
-    store(path.origin, to.origin);
-    store(path.direction, to.direction);
-    store(path.time, to.time);
-    store(path.throughput, to.throughput);
-    store(path.cone_width, to.cone_width);
-    store(path.cone_spread, to.cone_spread);
+HWY_INLINE void store_ray(const PackedStore& store, const NextRayOf<Lanes>& ray,
+                          const PathQueue& to) {
+    store(ray.slot, to.slot);
+    store(ray.branch, to.branch);
+    store(ray.origin, to.origin);
+    store(ray.direction, to.direction);
+    store(ray.time, to.time);
+    store(ray.throughput, to.throughput);
+    store(ray.cone_width, to.cone_width);
+    store(ray.cone_spread, to.cone_spread);
 }
 
 /// Appends to a list of paths.
@@ -60,7 +59,7 @@ struct AppendedPaths {
     bool transmits;  // in the scene
 
     [[nodiscard]] HWY_INLINE const AppendedPaths& at(int /*k*/) const { return *this; }
-    HWY_INLINE void operator()(const ContinuingPathOf<Lanes>& path, Mask goes) const {
+    HWY_INLINE void operator()(const NextPathOf<Lanes>& path, Mask goes) const {
         const PackedStore store(goes, to.count);
         store_ray(store, path, to);
         store(path.last_position, to.last_position);
@@ -76,7 +75,7 @@ struct AppendedPaths {
         }
         to.count += store.count();
     }
-    HWY_INLINE void operator()(const SentRayOf<Lanes>& ray, Mask goes) const {
+    HWY_INLINE void operator()(const NextRayOf<Lanes>& ray, Mask goes) const {
         const PackedStore store(goes, to.count);
         store_ray(store, ray, to);
         to.count += store.count();

@@ -262,9 +262,9 @@ struct Wave {
     LobeWave reflection, refraction;
     Floats3 own;
     const Hit* hits;
-    ContinuingPathOf<L>* coats;
-    ContinuingPathOf<L>* bases;
-    SentRayOf<L>* sent;
+    NextPathOf<L>* coats;
+    NextPathOf<L>* bases;
+    NextRayOf<L>* sent;
     int* taken;              // by place, those of coats first
     int* asks_for_caustics;  // by vertex
     int* survives;           // by path
@@ -284,11 +284,11 @@ struct Place {
 
 /// The places of a vertex.
 struct Places {
-    ContinuingPathOf<L>* paths;
+    NextPathOf<L>* paths;
     int* taken;
     int stride;
 
-    [[nodiscard]] CAROM_KERNEL Place<ContinuingPathOf<L>> at(int k) const {
+    [[nodiscard]] CAROM_KERNEL Place<NextPathOf<L>> at(int k) const {
         return {paths + k * stride, taken + k * stride};
     }
 };
@@ -311,7 +311,7 @@ CAROM_KERNEL void step_of_path(const Wave& wave, int i) {
                       PlacesOfVertex{{wave.coats + i, wave.taken + i, count},
                                      {wave.bases + i, of_bases + i, count},
                                      wave.asks_for_caustics + i});
-    trace_coats<L>(step, i, Place<ContinuingPathOf<L>>{wave.coats + i, wave.taken + i});
+    trace_coats<L>(step, i, Place<NextPathOf<L>>{wave.coats + i, wave.taken + i});
     sum_light<L>(wave.shadows, i);
     shade_background<L>(wave.scene, wave.paths, wave.missed, i);
     for (const WaveLight& light : wave.scene.all_lights) {
@@ -328,7 +328,7 @@ CAROM_KERNEL void step_of_ray(const Wave& wave, int i) {
                                wave.refraction};
     shade_rays<L>(step, i);
     wave.survives[i] = find_lobes<L>(step, i).reflection;
-    send_rays<L>(step, wave.reflection, 0, i, Place<SentRayOf<L>>{wave.sent + i, wave.taken + i});
+    send_rays<L>(step, wave.reflection, 0, i, Place<NextRayOf<L>>{wave.sent + i, wave.taken + i});
 }
 
 CAROM_ENTRY wave_step(CAROM_GLOBAL const Wave* waves, int i) {

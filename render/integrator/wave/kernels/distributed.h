@@ -190,16 +190,6 @@ CAROM_KERNEL LobeRays find_lobes(const DistributedStep& step, int first) {
                          v.model.transmittance_most, step.counts.refraction, step.refraction)};
 }
 
-/// A ray that a vertex sends: what PathQueue has of it here.
-template <class L>
-struct SentRayOf {
-    IntOf<L> slot, branch;
-    Vec3Of<L> origin, direction;
-    ValueOf<L> time;
-    Vec3Of<L> throughput;
-    ValueOf<L> cone_width, cone_spread;
-};
-
 /// The `k`th rays of a lobe. `next` takes them and the lanes that send one.
 template <class L, class Next>
 CAROM_KERNEL void send_rays(const DistributedStep& step, const LobeWave& lobe, int k, int first,
@@ -218,7 +208,7 @@ CAROM_KERNEL void send_rays(const DistributedStep& step, const LobeWave& lobe, i
     const Vec3Of<L> axis = load<L>(lobe.axis, first);
     const Vec3Of<L> outside = v.geometric_normal * L::all(lobe.side);
     LobeRayOf<L> ray{{zero, zero, L::all(1)}, L::all(1)};
-    SentRayOf<L> sent;
+    NextRayOf<L> sent;
     sent.direction = axis;
     if (samples > 1) {
         ray = lobe_ray<L>(numbers.u, k, samples, spread, load<L>(lobe.most, first), spreads);

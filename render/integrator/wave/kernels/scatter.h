@@ -1,13 +1,18 @@
 // The next directions of a wave's paths, in lanes. Included as render/lanes/kernels/vectors.h is.
 
-/// A path that continues from a vertex: what PathQueue has of it.
+/// A ray that continues from a vertex: what PathQueue has of it in every integrator.
 template <class L>
-struct ContinuingPathOf {
+struct NextRayOf {
     IntOf<L> slot, branch;
     Vec3Of<L> origin, direction;
     ValueOf<L> time;
     Vec3Of<L> throughput;
     ValueOf<L> cone_width, cone_spread;
+};
+
+/// All that PathQueue has of a path.
+template <class L>
+struct NextPathOf : NextRayOf<L> {
     Vec3Of<L> last_position, last_normal;
     ValueOf<L> pdf, total_importance, environment_samples;
     IntOf<L> is_delta, connects, connected_sphere, entered_sphere;
@@ -40,7 +45,7 @@ CAROM_KERNEL ContinuationOf<L> continuation_of(const WaveStep& step, const Verte
 /// or by the two refractions of a path through it.
 template <class L>
 CAROM_KERNEL void set_spheres(const WaveStep& step, const VertexOf<L>& v, const DirectionOf<L>& to,
-                              ContinuingPathOf<L>& path) {
+                              NextPathOf<L>& path) {
     const auto none = L::all_int(-1);
     const auto object = load<L>(step.vertices.object, v.first);
     const auto connected = L::is_equal_int(gather<L>(step.paths.connects, v.path), L::all_int(1));
@@ -79,7 +84,7 @@ CAROM_KERNEL void proceed(const WaveStep& step, const VertexOf<L>& v, const Cont
     if (L::none(goes)) {
         return;
     }
-    ContinuingPathOf<L> path;
+    NextPathOf<L> path;
     path.slot = gather<L>(step.paths.slot, v.path);
     path.branch = branch;
     path.origin = origin_of_rays<L>(v, side.passes);
