@@ -1,13 +1,13 @@
 // The light of camera samples, kept apart by the branches of their paths.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "render/integrator/path_state.h"
-#include "render/integrator/wave/queue_memory.h"
 
 namespace carom::render {
 
@@ -16,8 +16,11 @@ namespace carom::render {
 /// is in it. Rows of numbers, one for each branch, by sample.
 class BranchSums {
   public:
-    /// `coats`: the most directions of one coat, [1, 16].
-    explicit BranchSums(int coats) : second_(coats + 1), rows_(static_cast<std::size_t>(rows())) {
+    /// For so many samples. `coats`: the most directions of one coat, [1, 16].
+    BranchSums(int samples, int coats)
+        : samples_(static_cast<std::size_t>(samples)),
+          second_(coats + 1),
+          sums_(static_cast<std::size_t>(rows()) * 3 * samples_) {
         for (int k = 0; k < coats; ++k) {
             set(2 + kBranchesOfOneCoat * static_cast<std::uint32_t>(k), k);
         }
@@ -25,20 +28,16 @@ class BranchSums {
     }
 
     /// Forgets everything.
-    void clear() {
-        for (Row& row : rows_) {
-            row = {};
-        }
-    }
+    void clear() { std::fill(sums_.begin(), sums_.end(), 0.0F); }
 
     /// Adds the radiance that a path finds at its `vertex`, after so many `scatterings`.
     void add(int sample, int vertex, std::uint32_t branch, const V3f& radiance, int scatterings) {
         const int row = vertex == 0   ? 0
                         : vertex == 1 ? 1 + first_[branch]
                                       : 1 + second_ + last_[branch];
-        Row& sum = rows_[static_cast<std::size_t>(scatterings <= 1 ? row : indirect() + row)];
+        const int of_light = scatterings <= 1 ? row : indirect() + row;
         for (int channel = 0; channel < 3; ++channel) {
-            sum[static_cast<std::size_t>(channel)][sample] += radiance[channel];
+            sums_[place(of_light, channel, sample)] += radiance[channel];
         }
     }
 
@@ -52,8 +51,6 @@ class BranchSums {
     [[nodiscard]] V3f indirect_of(int sample) const { return at(indirect(), sample); }
 
   private:
-    using Row = std::array<float[kWaveSamples], 3>;
-
     /// Rows of direct light: the first vertex, and the branches of the second.
     [[nodiscard]] int indirect() const { return 1 + second_; }
     /// Those of indirect light are followed by the branches that the second vertex makes.
@@ -69,24 +66,28 @@ class BranchSums {
     }
     void add_up(int first, int last) {
         for (int row = first + 1; row < last; ++row) {
-            for (std::size_t channel = 0; channel < 3; ++channel) {
-                // Different arrays: the compiler makes vector code of the loop.
-                float* __restrict sum = rows_[static_cast<std::size_t>(first)][channel];
-                const float* __restrict more = rows_[static_cast<std::size_t>(row)][channel];
-                for (int i = 0; i < kWaveSamples; ++i) {
-                    sum[i] += more[i];
-                }
+            // Different numbers: the compiler makes vector code of the loop.
+            float* __restrict sum = &sums_[place(first, 0, 0)];
+            const float* __restrict more = &sums_[place(row, 0, 0)];
+            for (std::size_t i = 0; i < 3 * samples_; ++i) {
+                sum[i] += more[i];
             }
         }
     }
     [[nodiscard]] V3f at(int row, int sample) const {
-        const Row& sums = rows_[static_cast<std::size_t>(row)];
-        return {sums[0][sample], sums[1][sample], sums[2][sample]};
+        return {sums_[place(row, 0, sample)], sums_[place(row, 1, sample)],
+                sums_[place(row, 2, sample)]};
     }
 
+    [[nodiscard]] std::size_t place(int row, int channel, int sample) const {
+        return static_cast<std::size_t>(3 * row + channel) * samples_ +
+               static_cast<std::size_t>(sample);
+    }
+
+    std::size_t samples_;
     int second_;  // branches of a second vertex
     std::array<std::uint8_t, 256> first_{}, last_{};
-    std::vector<Row> rows_;
+    std::vector<float> sums_;  // by row, channel and sample
 };
 
 }  // namespace carom::render

@@ -66,13 +66,14 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
     QueueMemory memory;
 
     explicit Wave(const PathIntegrator& integrator)
-        : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_, kQueuePaths),
-          sums(integrator.wave_scene_.glossy_samples) {
+        : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_,
+                   integrator.most_paths_),
+          sums(integrator.wave_samples_, integrator.wave_scene_.glossy_samples) {
         const WaveScene& scene = integrator.wave_scene_;
-        memory.reserve(kQueuePaths, of_even_vertices, of_odd_vertices, scattered, vertices,
-                       near_spheres, missed, hit_paths, mirrored);
-        memory.reserve(kWaveSamples, samples);
-        memory.reserve_shadows(kQueuePaths, scene.first_rays() + scene.further_rays(),
+        memory.reserve(integrator.most_paths_, of_even_vertices, of_odd_vertices, scattered,
+                       vertices, near_spheres, missed, hit_paths, mirrored);
+        memory.reserve(integrator.wave_samples_, samples);
+        memory.reserve_shadows(integrator.most_paths_, scene.first_rays() + scene.further_rays(),
                                scene.materials.transmits, shadows);
     }
 
@@ -114,7 +115,7 @@ WaveStep PathIntegrator::step_of(Wave& wave) const {
 }
 
 PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings,
-                               const LightTracer* light_tracer)
+                               const LightTracer* light_tracer, int wave_samples)
     : scene_(scene),
       settings_(settings),
       caustics_(scene_),
@@ -133,7 +134,8 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
     // A first vertex continues in all directions of its coat and one of its base, each of which may
     // split again.
     const int paths_of_sample = 2 * (wave_scene_.glossy_samples + 1);
-    wave_samples_ = std::min(kWaveSamples, kQueuePaths / paths_of_sample);
+    most_paths_ = std::max(kPathsOfSample * wave_samples, paths_of_sample);
+    wave_samples_ = std::min(wave_samples, most_paths_ / paths_of_sample);
 }
 
 std::unique_ptr<Integrator::Workspace> PathIntegrator::make_workspace() const {

@@ -11,6 +11,7 @@
 #include "render/integrator/light_tracer.h"
 #include "render/integrator/path_settings.h"
 #include "render/integrator/wave/make_wave_scene.h"
+#include "render/integrator/wave/queue_memory.h"
 #include "render/integrator/wave/wave_kernels.h"
 
 namespace carom::render {
@@ -28,8 +29,9 @@ namespace carom::render {
 class PathIntegrator final : public Integrator {
   public:
     /// `light_tracer`: the reflections that it covers are left out. Borrowed; may be null.
+    /// `wave_samples`: the most camera samples in a wave, >= 1; fewer if they split often.
     PathIntegrator(const TransportScene& scene, const PathSettings& settings,
-                   const LightTracer* light_tracer = nullptr);
+                   const LightTracer* light_tracer = nullptr, int wave_samples = kWaveSamples);
 
     [[nodiscard]] std::unique_ptr<Workspace> make_workspace() const override;
     void samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
@@ -65,6 +67,7 @@ class PathIntegrator final : public Integrator {
     const WaveKernels* kernels_;
     SceneArena arena_;
     const WaveScene& wave_scene_;
+    int most_paths_;             // in a wave
     int wave_samples_;           // camera samples in a wave
     V3f constant_sky_{0, 0, 0};  // unless the wave's scene has a sky
 };

@@ -10,7 +10,7 @@
 
 namespace carom::render {
 
-/// Starts a wave with the camera rays of a run, which has at most kWaveSamples. Sets what every
+/// Starts a wave with the camera rays of a run, which fits. Sets what every
 /// integrator needs: slot, branch (1), rays, throughput, width and spread.
 void begin_wave(const CameraRun& run, float pixel_spread, CameraSamples& samples, PathQueue& paths);
 

@@ -14,9 +14,10 @@
 
 namespace carom::render {
 
-/// Most camera samples in a wave, and paths: a sample may split twice.
+/// Camera samples in a wave that processors' caches like, and the paths for each that a wave has
+/// room for.
 inline constexpr int kWaveSamples = 512;
-inline constexpr int kQueuePaths = 10 * kWaveSamples;
+inline constexpr int kPathsOfSample = 10;
 
 /// About as many shadow rays are traced together, but always those of one vector of vertices.
 inline constexpr int kShadowRays = 32 * kWaveSamples;

@@ -158,9 +158,9 @@ TEST(PathIntegrator, Samples_DoNotDependOnOthersInTheWave) {
     const render::TransportScene scene{frame, data.materials, lights, data.object_count};
     const render::CameraState state = camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8);
     const render::ThinLensCamera lens(state, state, kSide, kSide, 0, render::PixelFilter::box, 1);
-    const render::PathIntegrator many(scene, {});
     const std::vector<CameraBatch> batches = batches_of(lens, 1);
-    const auto traced = [&](int at_once) {
+    const auto traced = [&](int at_once, int wave_samples) {
+        const render::PathIntegrator many(scene, {}, nullptr, wave_samples);
         std::vector<RadianceSample> results(std::size_t{kSide} * kSide);
         RadianceSample* result = results.data();
         render::RenderStatistics count;
@@ -174,12 +174,19 @@ TEST(PathIntegrator, Samples_DoNotDependOnOthersInTheWave) {
         }
         return results;
     };
-    const std::vector<RadianceSample> whole = traced(CameraBatch::kMost);
-    for (const int at_once : {1, 7, 100}) {
-        const std::vector<RadianceSample> parts = traced(at_once);
+    const std::vector<RadianceSample> whole = traced(CameraBatch::kMost, render::kWaveSamples);
+    const auto expect_same = [&](int at_once, int wave_samples) {
+        const std::vector<RadianceSample> parts = traced(at_once, wave_samples);
         for (std::size_t i = 0; i < whole.size(); ++i) {
-            ASSERT_EQ(whole[i].radiance, parts[i].radiance) << at_once << " " << i;
+            ASSERT_EQ(whole[i].radiance, parts[i].radiance)
+                << at_once << " " << wave_samples << " " << i;
         }
+    };
+    for (const int at_once : {1, 7, 100}) {
+        expect_same(at_once, render::kWaveSamples);
+    }
+    for (const int wave_samples : {1, 3, 2000}) {
+        expect_same(CameraBatch::kMost, wave_samples);
     }
 }
 
