@@ -2,7 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "render/camera/thin_lens_camera.h"
 
@@ -16,20 +20,39 @@ struct SampleIndex {
 /// Samples and their rays as a structure of arrays; vector code may access elements beyond the
 /// last.
 struct CameraBatch {
-    static constexpr int kMost = 512;
-    static constexpr int kStorage = kMost + 16;
+    /// As many as processors' caches like.
+    static constexpr int kUsual = 512;
+    static constexpr int kBeyond = 16;
 
+    /// With room for so many samples.
+    explicit CameraBatch(int room = kUsual)
+        : capacity(room),
+          words_(5 * (static_cast<std::size_t>(room) + kBeyond)),
+          numbers_(7 * (static_cast<std::size_t>(room) + kBeyond)) {
+        const std::ptrdiff_t size = std::ptrdiff_t{room} + kBeyond;
+        std::int32_t* word = words_.data();
+        for (std::int32_t** array : {&x, &y, &sample, &pixel_hash, &reversed_sample}) {
+            *array = std::exchange(word, word + size);
+        }
+        float* number = numbers_.data();
+        for (float** array : {&origin[0], &origin[1], &origin[2], &direction[0], &direction[1],
+                              &direction[2], &time}) {
+            *array = std::exchange(number, number + size);
+        }
+    }
+    CameraBatch(const CameraBatch&) = delete;
+    CameraBatch& operator=(const CameraBatch&) = delete;
+    CameraBatch(CameraBatch&&) noexcept = default;
+    CameraBatch& operator=(CameraBatch&&) noexcept = default;
+    ~CameraBatch() = default;
+
+    int capacity;
     int count = 0;
     // Identity of a sample: its pixel and number, and the state of its random numbers (sampler.h).
-    alignas(64) std::int32_t x[kStorage] = {};
-    alignas(64) std::int32_t y[kStorage] = {};
-    alignas(64) std::int32_t sample[kStorage] = {};
-    alignas(64) std::int32_t pixel_hash[kStorage] = {};
-    alignas(64) std::int32_t reversed_sample[kStorage] = {};
+    std::int32_t *x, *y, *sample, *pixel_hash, *reversed_sample;
     // The sample's ray.
-    alignas(64) float origin[3][kStorage] = {};
-    alignas(64) float direction[3][kStorage] = {};
-    alignas(64) float time[kStorage] = {};
+    std::array<float*, 3> origin, direction;
+    float* time;
 
     /// Appends a sample without its ray.
     void add(const SampleStream& stream, const SampleIndex& index) {
@@ -53,6 +76,10 @@ struct CameraBatch {
                 time[i],
                 RayKind::primary};
     }
+
+  private:
+    std::vector<std::int32_t> words_;
+    std::vector<float> numbers_;
 };
 
 /// Some samples of a batch, one after the other. Borrowed.

@@ -114,22 +114,22 @@ struct FeatureTracer::Sums {
 class FeatureTracer::Queue {
   public:
     explicit Queue(const FeatureTracer& tracer) : tracer_(tracer), workspace_(tracer.workspaces_) {
-        sums_.reserve(CameraBatch::kMost);
+        sums_.reserve(results_.size());
     }
 
     bool is_last_round = false;  // after which no ranges are asked for
 
     void add(const FeaturePixel& pixel, const SampleStream& stream, Sums& sums) {
-        batch_->add(stream, {pixel.x, pixel.y, 0});
+        batch_.add(stream, {pixel.x, pixel.y, 0});
         sums_.push_back(&sums);
-        if (batch_->count == CameraBatch::kMost) {
+        if (batch_.count == batch_.capacity) {
             flush();
         }
     }
 
     void flush() {
-        make_rays(tracer_.camera_, tracer_.fixings_, *batch_);
-        tracer_.integrator_.trace_first_hits(CameraRun::all(*batch_), tracer_.pixel_spread_,
+        make_rays(tracer_.camera_, tracer_.fixings_, batch_);
+        tracer_.integrator_.trace_first_hits(CameraRun::all(batch_), tracer_.pixel_spread_,
                                              results_.data(), workspace_.get());
         for (std::size_t i = 0; i < sums_.size(); ++i) {
             sums_[i]->add(results_[i]);
@@ -138,15 +138,16 @@ class FeatureTracer::Queue {
             }
         }
         sums_.clear();
-        batch_->count = 0;
+        batch_.count = 0;
     }
 
   private:
     const FeatureTracer& tracer_;
     WorkspacePool::Loan workspace_;
-    std::unique_ptr<CameraBatch> batch_ = std::make_unique<CameraBatch>();
+    CameraBatch batch_;
     std::vector<Sums*> sums_;
-    std::vector<RadianceSample> results_ = std::vector<RadianceSample>(CameraBatch::kMost);
+    std::vector<RadianceSample> results_ =
+        std::vector<RadianceSample>(static_cast<std::size_t>(batch_.capacity));
 };
 
 FeatureTracer::FeatureTracer(const Integrator& integrator, WorkspacePool& workspaces,

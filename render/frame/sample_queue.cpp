@@ -26,17 +26,16 @@ SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderSta
       stop_(std::move(stop)),
       count_(count),
       workspace_(setting.workspaces),
-      batch_(std::make_unique<CameraBatch>()),
-      results_(kSize) {
+      results_(static_cast<std::size_t>(batch_.capacity)) {
     CAROM_ASSERT(setting.traced_at_once > 0);
-    pixels_.reserve(kSize);
+    pixels_.reserve(results_.size());
 }
 
 void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, TileSums& sums,
                       std::size_t pixel) {
-    batch_->add(stream, index);
+    batch_.add(stream, index);
     pixels_.emplace_back(&sums, pixel);
-    if (batch_->count == kSize) {
+    if (batch_.count == batch_.capacity) {
         flush();
     }
 }
@@ -45,8 +44,8 @@ int SampleQueue::trace() {
     if (stop_.stop_requested()) {
         return 0;
     }
-    make_rays(setting_.camera, setting_.fixings, *batch_);
-    const CameraRun all = CameraRun::all(*batch_);
+    make_rays(setting_.camera, setting_.fixings, batch_);
+    const CameraRun all = CameraRun::all(batch_);
     for (int from = 0; from < all.count; from += setting_.traced_at_once) {
         if (stop_.stop_requested()) {
             return from;
@@ -61,7 +60,7 @@ void SampleQueue::flush() {
     const auto traced = static_cast<std::size_t>(trace());
     for (std::size_t i = 0; i < traced; ++i) {
         if (!is_usable(results_[i])) {
-            const SampleIndex index = CameraRun::all(*batch_).index(static_cast<int>(i));
+            const SampleIndex index = CameraRun::all(batch_).index(static_cast<int>(i));
             count_.add_unusable(1, {index.x, index.y});
             results_[i] = {};
         }
@@ -73,7 +72,7 @@ void SampleQueue::flush() {
         pixels_[first].first->add(pixels_[first].second,
                                   std::span(results_).subspan(first, last - first));
     }
-    batch_->count = 0;
+    batch_.count = 0;
     pixels_.clear();
 }
 

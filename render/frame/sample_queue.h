@@ -38,10 +38,6 @@ class SampleQueue {
     void flush();
 
   private:
-    /// Capacity of the queue. Camera rays are made for all samples together even if the integrator
-    /// takes one at a time, because vector code takes as long for one ray as for a full vector.
-    static constexpr int kSize = CameraBatch::kMost;
-
     /// Returns how many of `results_` were computed before a stop was requested.
     [[nodiscard]] int trace();
 
@@ -49,7 +45,9 @@ class SampleQueue {
     std::stop_token stop_;
     RenderStatistics& count_;
     WorkspacePool::Loan workspace_;
-    std::unique_ptr<CameraBatch> batch_;
+    /// Camera rays are made for all samples together even if the integrator takes one at a time,
+    /// because vector code takes as long for one ray as for a full vector.
+    CameraBatch batch_;
     std::vector<std::pair<TileSums*, std::size_t>> pixels_;
     std::vector<RadianceSample> results_;
 };

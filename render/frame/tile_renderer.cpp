@@ -18,10 +18,10 @@ int samples_at_once(const RenderSettings& settings, const TransportScene& scene)
     constexpr double kRays = 1e6;
     constexpr double kLeast = 16;
     if (settings.integrator != IntegratorKind::distributed) {
-        return CameraBatch::kMost;
+        return CameraBatch::kUsual;
     }
     const double rays = rays_per_camera_ray(settings.distributed, scene.lights.sampled_count());
-    return static_cast<int>(std::clamp<double>(kRays / rays, kLeast, CameraBatch::kMost));
+    return static_cast<int>(std::clamp<double>(kRays / rays, kLeast, CameraBatch::kUsual));
 }
 
 PathSettings path_settings(const RenderSettings& settings) {

@@ -16,7 +16,7 @@ class CountingIntegrator final : public Integrator {
   public:
     void samples(const CameraRun& run, float /*spread*/, RadianceSample* /*results*/,
                  Workspace* /*workspace*/, RenderStatistics& /*count*/) const override {
-        EXPECT_EQ(run.first, static_cast<int>(sizes.size()) % CameraBatch::kMost * run.count);
+        EXPECT_EQ(run.first, static_cast<int>(sizes.size()) % CameraBatch::kUsual * run.count);
         sizes.push_back(run.count);
         if (sizes.size() == stop_after) {
             stop.request_stop();
@@ -46,19 +46,20 @@ std::vector<int> asked_for(int samples, int at_once, CountingIntegrator& integra
 TEST(SampleQueue, RaysOfManySamples_AreMadeTogetherAndTracedAFewAtATime) {
     TileSums sums(1, {});
     CountingIntegrator waiting;
-    EXPECT_TRUE(asked_for(CameraBatch::kMost - 1, 1, waiting, sums).empty());
+    EXPECT_TRUE(asked_for(CameraBatch::kUsual - 1, 1, waiting, sums).empty());
     CountingIntegrator one;
-    EXPECT_EQ(asked_for(CameraBatch::kMost, 1, one, sums), std::vector<int>(CameraBatch::kMost, 1));
+    EXPECT_EQ(asked_for(CameraBatch::kUsual, 1, one, sums),
+              std::vector<int>(CameraBatch::kUsual, 1));
     CountingIntegrator all;
-    EXPECT_EQ(asked_for(CameraBatch::kMost, CameraBatch::kMost, all, sums),
-              std::vector<int>{CameraBatch::kMost});
+    EXPECT_EQ(asked_for(CameraBatch::kUsual, CameraBatch::kUsual, all, sums),
+              std::vector<int>{CameraBatch::kUsual});
 }
 
 TEST(SampleQueue, StopBetweenSamples_LeavesTheOthersOut) {
     CountingIntegrator integrator;
     integrator.stop_after = 3;
     TileSums sums(1, {});
-    EXPECT_EQ(asked_for(2 * CameraBatch::kMost, 1, integrator, sums), std::vector<int>(3, 1));
+    EXPECT_EQ(asked_for(2 * CameraBatch::kUsual, 1, integrator, sums), std::vector<int>(3, 1));
     EXPECT_EQ(sums.samples(0), 3) << "what was traced before the stop is added";
 }
 

@@ -49,10 +49,10 @@ void for_each_sample(const render::Integrator& integrator, const render::ThinLen
                      const Visit& visit) {
     const int count = picture.width * picture.height * picture.samples;
     render::RenderStatistics rays;
-    std::vector<render::RadianceSample> results(render::CameraBatch::kMost);
+    std::vector<render::RadianceSample> results(render::CameraBatch::kUsual);
     for (int i = 0; i < count;) {
         render::CameraBatch batch;
-        for (; i < count && batch.count < render::CameraBatch::kMost; ++i) {
+        for (; i < count && batch.count < render::CameraBatch::kUsual; ++i) {
             const int x = i % picture.width;
             const int y = i / picture.width % picture.height;
             const int sample = i / (picture.width * picture.height);
