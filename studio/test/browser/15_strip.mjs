@@ -1,6 +1,6 @@
 // Clips, fades, scene times, lines of the map, lenses and events are dragged on the strip of time:
 // each drag is one step of undo, and film times stay on whole frames.
-import { changedLines, dragPixels, equal, settle, textOf } from './harness.mjs';
+import { changedLines, dragPixels, equal, pressAtOnce, settle, textOf } from './harness.mjs';
 import { handleOf, pixelOfHandle, pixelOnStrip } from './strip_harness.mjs';
 
 async function undo(page, before, what) {
@@ -84,9 +84,7 @@ export async function check({ page }) {
 
     // Frame 67 is no decimal number of seconds: it belongs to the camera that begins there.
     await page.locator('[data-handle="cameras/1 start"]').focus();
-    await page.keyboard.press('ArrowRight');
-    await page.keyboard.press('ArrowRight');
-    await page.keyboard.press('ArrowLeft');
+    await pressAtOnce(page, ['ArrowRight', 'ArrowRight', 'ArrowLeft']);
     await page.waitForFunction(() => !window.studio.state.dragging.value);
     await settle(page);
     equal(changedLines(before, await textOf(page)).map((line) => line.trim()),

@@ -1,5 +1,5 @@
 // A ball that is dragged snaps to others, cushions and marks; overlaps are shown; arrows nudge it.
-import { changedLines, dragPixels, equal, openText, pixelOf, settle, textOf } from './harness.mjs';
+import { changedLines, dragPixels, equal, openText, pixelOf, pressAtOnce, settle, textOf } from './harness.mjs';
 
 const kShot = `carom: 1  # places
 table: {kind: pool}
@@ -84,9 +84,7 @@ export async function check(context) {
     await page.evaluate(() => { window.studio.state.selection.value = ['balls', 'cue']; });
     const still = await textOf(page);
     const frame = await page.evaluate(() => window.studio.state.filmTime.value);
-    for (const key of ['ArrowRight', 'ArrowRight', 'Alt+ArrowUp', 'Shift+ArrowLeft']) {
-        await page.keyboard.press(key);
-    }
+    await pressAtOnce(page, ['ArrowRight', 'ArrowRight', 'Alt+ArrowUp', 'Shift+ArrowLeft']);
     await page.mouse.move(5, 5);
     await page.keyboard.press('Control');
     await page.evaluate(() => window.dispatchEvent(new PointerEvent('pointerdown')));

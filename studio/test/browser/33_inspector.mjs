@@ -1,18 +1,10 @@
 // The inspector: a default is dragged by its name, a typed text stays while the page is drawn again,
 // held keys and a colour are one undo each, and Escape ends a drag before it selects nothing.
-import { changedLines, dragPixels, equal, settle, textOf } from './harness.mjs';
+import { changedLines, dragPixels, equal, pressAtOnce, settle, textOf, undo } from './harness.mjs';
 
 const choose = (page, path) =>
     page.evaluate((one) => { window.studio.state.selection.value = one; }, path);
 const state = (page, name) => page.evaluate((one) => window.studio.state[one].value, name);
-
-/// Undo of the page, not of a text field.
-async function undo(page, before, what) {
-    await page.getByRole('slider', { name: 'Play head' }).focus();
-    await page.keyboard.press('Control+z');
-    await settle(page);
-    equal(await textOf(page), before, `the text after one undo of ${what}`);
-}
 
 /// The name of a key, pressed and moved by some pixels.
 async function pressName(page, name, pixels) {
@@ -72,15 +64,11 @@ async function holdKeys(page, before) {
     await choose(page, ['events', '0']);
     const speed = page.locator('.inspector').getByLabel('speed', { exact: true });
     await speed.focus();
-    for (let i = 0; i < 5; ++i) {
-        await page.keyboard.press('ArrowUp');
-    }
+    await pressAtOnce(page, Array(5).fill('ArrowUp'));
     equal(/speed: 8\.5 m\/s/.test(await textOf(page)), true, 'the speed after five presses');
     equal(await speed.evaluate((one) => one === document.activeElement), true, 'the focus');
     await page.locator('.inspector').getByLabel('Where the tip hits the ball').focus();
-    for (let i = 0; i < 3; ++i) {
-        await page.keyboard.press('ArrowLeft');
-    }
+    await pressAtOnce(page, Array(3).fill('ArrowLeft'));
     equal(/tip: \[-0\.03, 0\.2\]/.test(await textOf(page)), true, 'the tip after three presses');
     await page.getByRole('slider', { name: 'Play head' }).focus();
     await page.keyboard.press('Control+z');

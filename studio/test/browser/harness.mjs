@@ -161,6 +161,21 @@ export function equal(actual, expected, message) {
     }
 }
 
+/// Presses keys, as `Shift+ArrowLeft`, in what has the focus, without a pause between them: keys that are sent one by one come
+/// as late as a busy machine sends them, and a pause ends a run of keys.
+export function pressAtOnce(page, keys) {
+    return page.evaluate((all) => {
+        for (const one of all) {
+            const names = one.split('+');
+            const key = names.pop();
+            const options = { key, code: key, bubbles: true, cancelable: true, altKey: names.includes('Alt'),
+                shiftKey: names.includes('Shift'), ctrlKey: names.includes('Control') };
+            document.activeElement.dispatchEvent(new KeyboardEvent('keydown', options));
+            document.activeElement.dispatchEvent(new KeyboardEvent('keyup', options));
+        }
+    }, keys);
+}
+
 /// One undo by its key gives the text from before.
 export async function undo(page, before, what) {
     await page.getByRole('slider', { name: 'Play head' }).focus();
