@@ -20,7 +20,7 @@ int samples_at_once(const RenderSettings& settings, const TransportScene& scene)
     if (settings.integrator != IntegratorKind::distributed) {
         return CameraBatch::kUsual;
     }
-    const double rays = rays_per_camera_ray(settings.distributed, scene.lights.sampled_count());
+    const double rays = rays_per_camera_ray(settings.distributed, scene.lights.lights().size());
     return static_cast<int>(std::clamp<double>(kRays / rays, kLeast, CameraBatch::kUsual));
 }
 

@@ -347,11 +347,8 @@ void PathIntegrator::add_hit_light(int index, const Hit& hit, Wave& wave) const 
     if (is_sampled_as_caustic(path, hit)) {
         return;
     }
-    const WaveLight& light =
-        wave_scene_.all_lights[static_cast<std::int64_t>(scene_.light_of(hit))];
-    const V3f radiance =
-        scalar::radiance_of_area_light<scalar::One>(wave_scene_, light, wave.paths(), index, hit.t);
-    wave.add_light(index, path.throughput * radiance);
+    wave.add_light(
+        index, path.throughput * found_light(scene_.light_of(hit), index, hit, V3f(0, 0, 1), wave));
     if (path.vertex == 0) {
         result.normal = -path.ray.direction;
     }
@@ -378,13 +375,18 @@ void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
         const auto light = scene_.lights.emissive_light(hit.object);
-        const float weight =
-            light ? scalar::weight_of_object<scalar::One>(
-                        wave_scene_, wave_scene_.all_lights[static_cast<std::int64_t>(*light)],
-                        wave.paths(), index, hit.t, point.geometric_normal)
-                  : 1.0F;
-        wave.add_light(index, path.throughput * (material.emission() * weight));
+        const V3f radiance = light ? found_light(*light, index, hit, point.geometric_normal, wave)
+                                   : material.emission();
+        wave.add_light(index, path.throughput * radiance);
     }
+}
+
+V3f PathIntegrator::found_light(std::size_t light, int index, const Hit& hit, const V3f& normal,
+                                Wave& wave) const {
+    return scalar::radiance_of_light<scalar::One>(
+        wave_scene_, wave_scene_.all_lights[static_cast<std::int64_t>(light)], wave.paths(), index,
+        {wave.paths().direction.get(index), hit.t, normal,
+         static_cast<std::int32_t>(hit.primitive)});
 }
 
 void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& count) const {

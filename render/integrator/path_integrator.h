@@ -56,6 +56,9 @@ class PathIntegrator final : public Integrator {
     void end_outside_glass(Wave& wave) const;
     void add_hit_light(int path, const Hit& hit, Wave& wave) const;
     void add_emission(int path, const Hit& hit, Wave& wave) const;
+    /// Radiance of a light with a surface that a path hit; of an object where it has this normal.
+    [[nodiscard]] V3f found_light(std::size_t light, int path, const Hit& hit, const V3f& normal,
+                                  Wave& wave) const;
     [[nodiscard]] bool is_sampled_as_caustic(const Path& path, const Hit& hit) const;
     void add_caustics(int vertex, Wave& wave, RenderStatistics& count) const;
     void trace_shadows(Wave& wave, RenderStatistics& count) const;

@@ -34,6 +34,8 @@ struct ScalarLanes {
     static Mask first_lanes(int n) { return n > 0; }
     /// The number in the first lane.
     static std::int32_t first_of(Int x) { return x; }
+    /// The smallest number of the lanes in the mask, which is not empty.
+    static std::int32_t smallest_of(Mask /*mask*/, Int x) { return x; }
 
     static Mask is_less(Value a, Value b) { return a < b; }
     static Mask is_at_most(Value a, Value b) { return a <= b; }
@@ -54,7 +56,6 @@ struct ScalarLanes {
     static Value select(Mask mask, Value yes, Value no) { return mask ? yes : no; }
     static Mask select_mask(Mask mask, Mask yes, Mask no) { return mask ? yes : no; }
     static Int select_int(Mask mask, Int yes, Int no) { return mask ? yes : no; }
-    static Word select_word(Mask mask, Word yes, Word no) { return mask ? yes : no; }
 
     /// A function of two numbers, for formulas that are too rare for code of their own.
     template <class Function>

@@ -7,6 +7,7 @@
 #endif
 
 #include <cstdint>
+#include <limits>
 
 #include "render/lanes/scalar_lanes.h"
 
@@ -36,6 +37,10 @@ struct VectorLanes {
         return hn::FirstN(D(), static_cast<std::size_t>(n));
     }
     static HWY_INLINE std::int32_t first_of(Int x) { return hn::GetLane(x); }
+    static HWY_INLINE std::int32_t smallest_of(Mask mask, Int x) {
+        const Int most = all_int(std::numeric_limits<std::int32_t>::max());
+        return hn::GetLane(hn::MinOfLanes(IntTag(), select_int(mask, x, most)));
+    }
 
     static HWY_INLINE Mask is_less(Value a, Value b) { return hn::Lt(a, b); }
     static HWY_INLINE Mask is_at_most(Value a, Value b) { return hn::Le(a, b); }
@@ -61,9 +66,6 @@ struct VectorLanes {
     }
     static HWY_INLINE Int select_int(Mask mask, Int yes, Int no) {
         return hn::IfThenElse(hn::RebindMask(IntTag(), mask), yes, no);
-    }
-    static HWY_INLINE Word select_word(Mask mask, Word yes, Word no) {
-        return hn::IfThenElse(hn::RebindMask(WordTag(), mask), yes, no);
     }
 
     template <class Function>

@@ -1,5 +1,7 @@
 #include "render/light/area_light.h"
 
+#include <cmath>
+
 #include "core/colour.h"
 #include "render/geometry/constants.h"
 
@@ -39,6 +41,22 @@ void set_surface(AreaLight& surface, const SphereLight& light) {
 }
 
 }  // namespace
+
+LightBounds bounds_of(const AreaLightConstants& light) {
+    LightBounds bounds;
+    V3f around = V3f(1, 1, 1) * light.radius;
+    if (light.is_one_sided) {
+        const auto extent = [&](int axis) {
+            return std::abs(light.edge_u[axis]) + std::abs(light.edge_v[axis]);
+        };
+        around = V3f(extent(0), extent(1), extent(2));
+        bounds.axis = light.normal;
+        bounds.spread = 0;
+    }
+    bounds.box = {light.centre - around, light.centre + around};
+    bounds.strength = light.intensity;
+    return bounds;
+}
 
 std::optional<AreaLight> area_light_of(const LightDescription& description) {
     const auto surface_of = [](const auto& light) -> std::optional<AreaLight> {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "render/light/light_constants.h"
+#include "render/light/light_tree.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
@@ -13,6 +13,9 @@ struct AreaLight {
     AreaLightConstants constants;
     Mat44 world_from_unit;
 };
+
+/// In the world's axes.
+[[nodiscard]] LightBounds bounds_of(const AreaLightConstants& light);
 
 /// Empty if the light has no surface.
 [[nodiscard]] std::optional<AreaLight> area_light_of(const LightDescription& description);

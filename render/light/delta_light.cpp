@@ -55,6 +55,18 @@ V3f DeltaLight::intensity(const V3f& direction, float distance) const {
     return light_.power * (light_.has_falloff ? fraction : fraction * (distance * distance));
 }
 
+LightBounds DeltaLight::bounds() const {
+    LightBounds bounds;
+    bounds.box = {light_.position, light_.position};
+    bounds.strength = luminance(light_.power);
+    if (light_.outer_cosine > -1) {
+        bounds.axis = light_.direction;
+        bounds.spread = arccosine(light_.outer_cosine);
+    }
+    bounds.reach = 0;
+    return bounds;
+}
+
 float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
     if (light_.is_parallel) {
         return luminance(light_.power);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "render/light/light_constants.h"
+#include "render/light/light_tree.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
@@ -27,6 +27,8 @@ class DeltaLight {
     /// Intensity of `source`, W/sr, along the unit `direction` towards something `distance` away.
     /// For a light without falloff it is the intensity that gives the light's irradiance there.
     [[nodiscard]] V3f intensity(const V3f& direction, float distance) const;
+    /// Of a point or spot.
+    [[nodiscard]] LightBounds bounds() const;
     /// Estimate of the most luminous irradiance within `radius` of `centre`; 0 if that region is
     /// dark or contains the light.
     [[nodiscard]] float irradiance_within(const V3f& centre, float radius) const;

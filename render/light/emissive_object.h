@@ -7,6 +7,7 @@
 #include "render/geometry/rigid_motion.h"
 #include "render/light/emissive_shape.h"
 #include "render/light/emissive_surface.h"
+#include "render/light/light_tree.h"
 
 namespace carom::render {
 
@@ -25,6 +26,9 @@ class EmissiveObject {
     [[nodiscard]] bool is_black() const;
     /// A sphere with three equal radii.
     [[nodiscard]] bool is_round() const;
+
+    /// In the world's axes, wherever it moves.
+    [[nodiscard]] LightBounds bounds() const;
 
     /// For kernels: the curved shape, or null if the faces are flat.
     [[nodiscard]] const EmissiveShape* curved() const {

@@ -148,6 +148,20 @@ std::optional<EmissiveShape> EmissiveShape::make(const Description& shape, const
     return result;
 }
 
+LightBounds EmissiveShape::bounds() const {
+    LightBounds bounds;
+    const V3f around =
+        V3f(1, 1, 1) * (is_round() ? shape_.sphere.radius : shape_.importance.bounding_radius);
+    bounds.box = {shape_.importance.centre - around, shape_.importance.centre + around};
+    bounds.strength = shape_.importance.strength;
+    if (shape_.kind == Kind::disk) {
+        bounds.axis = Affine::normal(V3f(0, 0, 1), shape_.unit_from_body).normalized();
+        bounds.spread = 0;
+        bounds.strength *= 2;  // along its normal it shows all of its area
+    }
+    return bounds;
+}
+
 bool EmissiveShape::is_black() const {
     return !(shape_.importance.strength > 0);
 }

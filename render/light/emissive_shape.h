@@ -5,6 +5,7 @@
 
 #include "render/geometry/shape_kind.h"
 #include "render/light/light_constants.h"
+#include "render/light/light_tree.h"
 
 namespace carom::render {
 
@@ -37,6 +38,8 @@ class EmissiveShape {
     }
 
     [[nodiscard]] const V3f& radiance() const { return shape_.radiance; }
+    /// In the axes of the body.
+    [[nodiscard]] LightBounds bounds() const;
     /// For kernels.
     [[nodiscard]] const EmissiveShapeConstants& constants() const { return shape_; }
 

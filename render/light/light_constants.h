@@ -74,6 +74,37 @@ struct EmissiveShapeConstants {
     ObjectImportance importance;
 };
 
+/// A LightTree. Borrows its arrays. Node 0 is the root; the children of a node lie side by side.
+struct LightTreeData {
+    /// Centre and radius of a ball around it, strength, axis, cosine and sine of the spread, and
+    /// cosine of the reach (LightBounds).
+    static constexpr int kNumbers = 11;
+    static constexpr int kMostOfRoot = 32;  // children
+    static constexpr int kMostOfNode = 8;
+
+    List<float> numbers;               // by node
+    List<std::int32_t> first_child;    // by node; of a leaf -1
+    List<std::int32_t> children;       // by node: their number
+    List<std::int32_t> first_light;    // by node: where its lights begin in the tree's order
+    List<std::int32_t> last_light;     // by node: where they end
+    List<std::int32_t> parents;        // by node; of the root -1
+    List<std::int32_t> lights;         // in the tree's order
+    List<float> strength_before;       // in the tree's order, and that of all
+    List<std::int32_t> leaf_of_light;  // its node, or -1
+    bool shines_all_around = false;    // no light has an axis
+
+    [[nodiscard]] bool exists() const { return numbers.exists(); }
+    /// The root's children; one that has none stands for itself.
+    [[nodiscard]] int choices_of_root() const { return children[0] > 0 ? children[0] : 1; }
+    [[nodiscard]] std::int32_t first_choice() const { return children[0] > 0 ? first_child[0] : 0; }
+
+    template <class Visit>
+    void each_list(const Visit& visit) {
+        visit(numbers, first_child, children, first_light, last_light, parents, lights,
+              strength_before, leaf_of_light);
+    }
+};
+
 /// An EmissiveSurface. Borrows its arrays.
 struct EmissiveSurfaceConstants {
     List<float> corners;   // nine numbers for each triangle; at least one
@@ -81,10 +112,12 @@ struct EmissiveSurfaceConstants {
     float area = 0;        // m^2
     V3f radiance{0, 0, 0};
     ObjectImportance importance;
+    LightTreeData tree;  // of many faces; its lights are the faces that hits name
 
     template <class Visit>
     void each_list(const Visit& visit) {
         visit(corners, area_cdf);
+        tree.each_list(visit);
     }
 };
 

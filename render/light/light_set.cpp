@@ -16,15 +16,22 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
     if (const std::vector<Diagnostic> problems = find_problems(lights); !problems.empty()) {
         throw Error(problems.front().sentence);
     }
+    std::vector<DeltaLight> delta_lights;
     for (const LightDescription& description : lights) {
         if (const auto* environment = std::get_if<EnvironmentLight>(&description.light)) {
             environment_ = std::make_shared<const Environment>(*environment);
         } else if (const std::optional<AreaLight> area_light = area_light_of(description)) {
-            area_lights_.push_back(area_light->constants);
+            lights_.emplace_back(area_light->constants);
         } else if (const std::optional<DeltaLight> delta_light = delta_light_of(description)) {
-            delta_lights_.push_back(*delta_light);
+            delta_lights.push_back(*delta_light);
         }
     }
+    area_light_count_ = lights_.size();
+    if (environment_->is_sampled()) {
+        lights_.emplace_back(SampledEnvironment());
+    }
+    lights_.insert(lights_.end(), delta_lights.begin(), delta_lights.end());
+    first_emissive_ = lights_.size();
 }
 
 void LightSet::add(std::uint32_t object, EmissiveObject emissive) {
@@ -34,8 +41,8 @@ void LightSet::add(std::uint32_t object, EmissiveObject emissive) {
     if (object >= light_of_object_.size()) {
         light_of_object_.resize(object + 1);
     }
-    light_of_object_[object] = sampled_count();
-    emissive_.push_back(std::move(emissive));
+    light_of_object_[object] = lights_.size();
+    lights_.emplace_back(std::move(emissive));
 }
 
 void LightSet::add_tracked(std::uint32_t object, EmissiveObject emissive) {
@@ -50,15 +57,19 @@ LightSet LightSet::in_frame(std::span<const std::shared_ptr<const RigidMotion>> 
     return result;
 }
 
-bool LightSet::is_round(std::size_t light) const {
-    if (light >= first_emissive()) {
-        return emissive_[light - first_emissive()].is_round();
+std::optional<LightBounds> bounds_of(const Light& light) {
+    if (const auto* area = std::get_if<AreaLightConstants>(&light)) {
+        return area->has_falloff ? std::optional(bounds_of(*area)) : std::nullopt;
     }
-    return light < area_lights_.size() && area_lights_[light].is_round;
+    if (const auto* delta = std::get_if<DeltaLight>(&light)) {
+        return delta->constants().has_falloff ? std::optional(delta->bounds()) : std::nullopt;
+    }
+    const auto* object = std::get_if<EmissiveObject>(&light);
+    return object != nullptr ? std::optional(object->bounds()) : std::nullopt;
 }
 
 V3f LightSet::emitted(std::size_t light, const V3f& direction) const {
-    return scalar::emitted_by_area_light<One>(area_lights_[light], direction);
+    return scalar::emitted_by_area_light<One>(area_light(light), direction);
 }
 
 }  // namespace carom::render

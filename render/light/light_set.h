@@ -6,15 +6,26 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "render/geometry/ray.h"
 #include "render/light/delta_light.h"
 #include "render/light/emissive_object.h"
 #include "render/light/environment.h"
+#include "render/light/light_tree.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
+
+/// The set's environment, if it is sampled.
+struct SampledEnvironment {};
+
+using Light = std::variant<AreaLightConstants, SampledEnvironment, DeltaLight, EmissiveObject>;
+
+/// What a tree needs to know of it; empty for a light whose strength does not depend on the
+/// distance.
+[[nodiscard]] std::optional<LightBounds> bounds_of(const Light& light);
 
 /// Lights that can be sampled are numbered from 0: area lights in the order of the description,
 /// then the environment if it is sampled, then delta lights, then emissive objects, first those
@@ -43,46 +54,31 @@ class LightSet {
         return object < light_of_object_.size() ? light_of_object_[object] : std::nullopt;
     }
 
-    [[nodiscard]] std::size_t area_light_count() const { return area_lights_.size(); }
-    [[nodiscard]] std::size_t sampled_count() const { return first_emissive() + emissive_.size(); }
+    /// That can be sampled, by their numbers.
+    [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
+    [[nodiscard]] std::size_t area_light_count() const { return area_light_count_; }
     /// Lights from this number on are objects.
-    [[nodiscard]] std::size_t first_emissive() const {
-        return first_delta() + delta_lights_.size();
-    }
-    [[nodiscard]] bool is_environment(std::size_t light) const {
-        return light == area_lights_.size() && environment_->is_sampled();
-    }
+    [[nodiscard]] std::size_t first_emissive() const { return first_emissive_; }
     /// Whether the light is a delta light: one direction leads to it from any point.
     [[nodiscard]] bool is_delta(std::size_t light) const {
-        return light >= first_delta() && light < first_emissive();
+        return std::holds_alternative<DeltaLight>(lights_[light]);
     }
-
-    /// Whether it is sampled over the cone that a sphere subtends.
-    [[nodiscard]] bool is_round(std::size_t light) const;
+    [[nodiscard]] const AreaLightConstants& area_light(std::size_t light) const {
+        return std::get<AreaLightConstants>(lights_[light]);
+    }
+    [[nodiscard]] const DeltaLight& delta_light(std::size_t light) const {
+        return std::get<DeltaLight>(lights_[light]);
+    }
+    [[nodiscard]] const Environment& environment() const { return *environment_; }
 
     /// Radiance of an area light towards the unit `direction`, away from the light, as cameras and
     /// specular reflections see it.
     [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
-    [[nodiscard]] const AreaLightConstants& area_light(std::size_t light) const {
-        return area_lights_[light];
-    }
-    [[nodiscard]] const DeltaLight& delta_light(std::size_t light) const {
-        return delta_lights_[light - first_delta()];
-    }
-    [[nodiscard]] const Environment& environment() const { return *environment_; }
-    [[nodiscard]] const EmissiveObject& emissive_object(std::size_t light) const {
-        return emissive_[light - first_emissive()];
-    }
 
   private:
-    [[nodiscard]] std::size_t first_delta() const {
-        return area_lights_.size() + (environment_->is_sampled() ? 1 : 0);
-    }
-
-    std::vector<AreaLightConstants> area_lights_;
+    std::vector<Light> lights_;
+    std::size_t area_light_count_ = 0, first_emissive_ = 0;
     std::shared_ptr<const Environment> environment_ = std::make_shared<const Environment>();
-    std::vector<DeltaLight> delta_lights_;
-    std::vector<EmissiveObject> emissive_;
     std::vector<std::optional<std::size_t>> light_of_object_;
     struct Tracked {
         std::uint32_t object = 0;

@@ -1,51 +1,77 @@
 #include "render/integrator/wave/make_wave_scene.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 namespace carom::render {
 namespace {
 
-/// How many directions a path's first vertex samples towards a light. Rectangles get four, a block
-/// of random numbers: their penumbrae would cause most of the noise, and four shadow rays traced
-/// together cost little more than one. With many area lights each gets one, because together they
-/// are smooth enough.
-int first_vertex_samples(const LightSet& lights, std::size_t light) {
-    constexpr std::size_t kFewLights = 4;
-    const bool is_one_of_few = lights.area_light_count() <= kFewLights;
-    return is_one_of_few && !lights.is_round(light) ? 4 : 1;
-}
+/// How many directions a path's first vertex samples towards what has a tree: whole blocks of
+/// random numbers.
+constexpr int kSamplesOfTree = 4;
 
-WaveLight known_light(const LightSet& lights, std::size_t index) {
-    WaveLight light;
-    light.is_round = lights.is_round(index);
-    if (lights.is_environment(index)) {
+/// Sets what kernels need of a light of each kind.
+struct KnownLight {
+    const LightSet& lights;
+    WaveLight& known;
+
+    /// A path's first vertex samples four directions, a block of random numbers, towards a
+    /// rectangle: their penumbrae would cause most of the noise, and four shadow rays traced
+    /// together cost little more than one. With many area lights each gets one, because together
+    /// they are smooth enough.
+    void operator()(const AreaLightConstants& light) const {
+        constexpr std::size_t kFewLights = 4;
+        known.kind = WaveLight::Kind::area;
+        known.area = light;
+        known.is_round = light.is_round;
+        known.samples = lights.area_light_count() <= kFewLights && !light.is_round ? 4 : 1;
+    }
+    void operator()(const SampledEnvironment& /*light*/) const {
         const bool has_light = lights.environment().picture().distribution.density.exists();
-        light.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::dark_environment;
-        return light;
+        known.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::dark_environment;
     }
-    if (lights.is_delta(index)) {
-        light.kind = WaveLight::Kind::delta;
-        light.delta = lights.delta_light(index).constants();
-        return light;
+    void operator()(const DeltaLight& light) const {
+        known.kind = WaveLight::Kind::delta;
+        known.delta = light.constants();
     }
-    if (index >= lights.first_emissive()) {
-        const EmissiveObject& object = lights.emissive_object(index);
+    void operator()(const EmissiveObject& object) const {
+        known.is_round = object.is_round();
         if (object.motion() != nullptr) {
-            light.motion = object.motion()->pieces();
+            known.motion = object.motion()->pieces();
         }
         if (const EmissiveShape* shape = object.curved()) {
-            light.kind = WaveLight::Kind::curved_object;
-            light.shape = shape->constants();
-        } else {
-            light.kind = WaveLight::Kind::flat_object;
-            light.surface = object.flat()->constants();
+            known.kind = WaveLight::Kind::curved_object;
+            known.shape = shape->constants();
+            return;
         }
-        return light;
+        known.kind = WaveLight::Kind::flat_object;
+        known.surface = object.flat()->constants();
+        known.samples = known.surface.tree.exists() ? kSamplesOfTree : 1;
     }
-    light.kind = WaveLight::Kind::area;
-    light.area = lights.area_light(index);
-    light.samples = first_vertex_samples(lights, index);
-    return light;
+};
+
+/// Puts lights into the scene's tree: all lamps that can be, if they are more than a few, and all
+/// emissive objects, likewise.
+LightTree make_tree(const LightSet& lights, std::vector<WaveLight>& made) {
+    constexpr std::size_t kFewLights = 8;
+    std::vector<LightBounds> in_tree(made.size());
+    const auto put = [&](std::size_t first, std::size_t last) {
+        std::vector<std::size_t> numbers;
+        for (std::size_t light = first; light < last; ++light) {
+            if (const auto bounds = bounds_of(lights.lights()[light])) {
+                numbers.push_back(light);
+                in_tree[light] = *bounds;
+            }
+        }
+        for (const std::size_t light : numbers) {
+            made[light].is_in_tree = numbers.size() > kFewLights && in_tree[light].strength > 0;
+            in_tree[light].strength = made[light].is_in_tree ? in_tree[light].strength : 0;
+        }
+    };
+    put(0, lights.first_emissive());
+    put(lights.first_emissive(), made.size());
+    return LightTree(in_tree);
 }
 
 WaveMaterials make_materials(const std::vector<Material>& all, SceneArena& arena) {
@@ -81,10 +107,16 @@ WaveMaterials make_materials(const std::vector<Material>& all, SceneArena& arena
 WaveScene& make_in(const TransportScene& scene, const WaveSetUp& set_up, SceneArena& arena) {
     WaveScene& known = arena.make<WaveScene>();
     std::vector<WaveLight> lights;
-    for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
-        lights.push_back(known_light(scene.lights, light));
-        known.has_environment = known.has_environment || lights.back().is_environment();
+    for (const Light& light : scene.lights.lights()) {
+        WaveLight& made = lights.emplace_back();
+        made.number = static_cast<int>(lights.size()) - 1;
+        std::visit(KnownLight{scene.lights, made}, light);
+        known.has_environment = known.has_environment || made.is_environment();
     }
+    const LightTree tree = make_tree(scene.lights, lights);
+    known.light_tree = tree.data();
+    known.light_tree.each_list(
+        [&](auto&... list) { ((list = arena.add(std::vector(list.begin(), list.end()))), ...); });
     known.all_lights = arena.add(lights);
     known.lights = known.all_lights;
     const Environment& environment = scene.lights.environment();
@@ -146,6 +178,16 @@ const WaveScene& make_wave_scene(const TransportScene& scene, const WaveSetUp& s
 
 void set_up(const PathSettings& settings, const Caustics& caustics, WaveScene& wave_scene,
             SceneArena& arena) {
+    std::vector<WaveLight> lights;
+    std::copy_if(wave_scene.all_lights.begin(), wave_scene.all_lights.end(),
+                 std::back_inserter(lights),
+                 [](const WaveLight& light) { return !light.is_in_tree; });
+    if (wave_scene.light_tree.exists()) {
+        WaveLight& many = lights.emplace_back();
+        many.kind = WaveLight::Kind::many;
+        many.samples = kSamplesOfTree;
+    }
+    wave_scene.lights = arena.add(lights);
     if (settings.strategy == DirectStrategy::scattering_only) {
         wave_scene.lights = {};
         wave_scene.has_environment = false;

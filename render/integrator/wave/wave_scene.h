@@ -26,8 +26,19 @@ struct NumberRows {
 
 /// A light for the kernels.
 struct WaveLight {
-    enum class Kind { area, environment, delta, curved_object, flat_object, dark_environment };
+    /// `many`: one that the scene's tree chooses.
+    enum class Kind {
+        area,
+        environment,
+        delta,
+        curved_object,
+        flat_object,
+        dark_environment,
+        many
+    };
     Kind kind = Kind::dark_environment;
+    int number = -1;  // in LightSet; of `many` none
+    bool is_in_tree = false;
     int samples = 1;  // at a path's first vertex
     bool is_round = false;
     AreaLightConstants area;
@@ -115,7 +126,8 @@ enum ShapeRow : std::uint8_t {
 /// What the kernels need to know about a scene.
 struct WaveScene {
     List<WaveLight> all_lights;  // by the light's number in LightSet
-    List<WaveLight> lights;      // that are sampled: all, or none
+    List<WaveLight> lights;  // that are sampled: all, with one entry for those in the tree, or none
+    LightTreeData light_tree;  // its lights have their numbers in LightSet
     float environment_importance = 0;
     bool has_environment = false;  // among the lights
     bool has_sky = false;

@@ -5,5 +5,6 @@
 #include "render/light/kernels/light_sample.h"
 #include "render/light/kernels/area_light.h"
 #include "render/light/kernels/delta_light.h"
+#include "render/light/kernels/light_tree.h"
 #include "render/light/kernels/emissive_object.h"
 // clang-format on

@@ -19,6 +19,13 @@ CAROM_KERNEL ValueOf<L> importance_of_object(const ObjectImportance& object, con
 }
 
 template <class L>
+CAROM_KERNEL ValueOf<L> importance_of_surface(const EmissiveSurfaceConstants& surface,
+                                              const Vec3Of<L>& point, const Vec3Of<L>& normal) {
+    return surface.tree.exists() ? see_tree<L>(surface.tree, point, normal).total
+                                 : importance_of_object<L>(surface.importance, point, normal);
+}
+
+template <class L>
 CAROM_KERNEL ValueOf<L> importance_of_shape(const EmissiveShapeConstants& shape,
                                             const Vec3Of<L>& point, const Vec3Of<L>& normal) {
     return shape.kind == EmissiveShapeConstants::Kind::sphere
@@ -257,28 +264,22 @@ CAROM_KERNEL ValueOf<L> pdf_of_shape(const EmissiveShapeConstants& shape, const 
     return L::select(faces, pdf, L::all(0));
 }
 
-/// A direction towards a point of flat faces, uniform by area. Not valid where the point faces
-/// away.
+/// A face in each lane, and the number that chose it, used again.
 template <class L>
-CAROM_KERNEL LightSampleOf<L> sample_surface(const EmissiveSurfaceConstants& surface,
-                                             const Vec3Of<L>& point, const Vec2Of<L>& u) {
+struct FaceChoiceOf {
+    IntOf<L> face;
+    ValueOf<L> probability;  // by a tree; of a choice by area it is the face's area over `area`
+    ValueOf<L> rest;
+};
+
+/// The face within whose part of the area u lies, by bisection.
+template <class L>
+CAROM_KERNEL FaceChoiceOf<L> choose_face_by_area(const EmissiveSurfaceConstants& surface,
+                                                 ValueOf<L> u) {
     using V = ValueOf<L>;
     const V zero = L::all(0);
-    const V one = L::all(1);
-    // The triangle within whose part of the area u.x lies, by bisection.
-    auto index = L::all_int(0);
-    auto last = L::all_int(surface.area_cdf.count() - 1);
-    for (;;) {
-        const auto is_open = L::is_less_int(index, last);
-        if (L::none(is_open)) {
-            break;
-        }
-        const auto middle = index + L::template shifted_right_int<1>(last - index);
-        const auto ends_above = L::is_less(u.x, L::gather(surface.area_cdf.data(), middle));
-        last = L::select_int(L::both(is_open, ends_above), middle, last);
-        index =
-            L::select_int(L::both(is_open, L::opposite(ends_above)), middle + L::all_int(1), index);
-    }
+    const auto index = first_above<L>(surface.area_cdf, L::all_int(0),
+                                      L::all_int(surface.area_cdf.count() - 1), u);
     const auto previous = L::larger_int(index - L::all_int(1), L::all_int(0));
     const V before = L::select(L::is_less_int(L::all_int(0), index),
                                L::gather(surface.area_cdf.data(), previous), zero);
@@ -286,43 +287,90 @@ CAROM_KERNEL LightSampleOf<L> sample_surface(const EmissiveSurfaceConstants& sur
     const auto has_area = L::is_less(zero, fraction);
     const V rest = L::select(
         has_area,
-        limited<L>((u.x - before) / L::select(has_area, fraction, one), 0, kOneMinusEpsilon),
+        limited<L>((u - before) / L::select(has_area, fraction, L::all(1)), 0, kOneMinusEpsilon),
         L::all(0.5f));
-    const auto number = L::product(index, 9);
+    return {index, L::all(1), rest};
+}
+
+template <class L>
+struct FaceOf {
+    Vec3Of<L> a, b, c;
+
+    /// Its length is twice the face's area.
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> normal() const { return cross(b - a, c - a); }
+};
+
+template <class L>
+CAROM_KERNEL FaceOf<L> face_of(const EmissiveSurfaceConstants& surface, IntOf<L> face) {
+    const auto number = L::product(face, 9);
     const auto corner = [&](int first) CAROM_KERNEL_ATTRIBUTE {
-        return Vec3<V>{L::gather(surface.corners.data() + first, number),
-                       L::gather(surface.corners.data() + first + 1, number),
-                       L::gather(surface.corners.data() + first + 2, number)};
+        return Vec3Of<L>{L::gather(surface.corners.data() + first, number),
+                         L::gather(surface.corners.data() + first + 1, number),
+                         L::gather(surface.corners.data() + first + 2, number)};
     };
-    const Vec3<V> a = corner(0);
-    const Vec3<V> b = corner(3);
-    const Vec3<V> c = corner(6);
+    return {corner(0), corner(3), corner(6)};
+}
+
+/// A direction towards a point of flat faces, uniform by area in each, and if there are a few in
+/// all. Not valid where the point faces away. `seen`: the tree, if there is one.
+template <class L>
+CAROM_KERNEL LightSampleOf<L> sample_surface(const EmissiveSurfaceConstants& surface,
+                                             const SeenTreeOf<L>& seen, const Vec3Of<L>& point,
+                                             const Vec2Of<L>& u) {
+    using V = ValueOf<L>;
+    const V zero = L::all(0);
+    const V one = L::all(1);
+    const bool by_tree = surface.tree.exists();
+    FaceChoiceOf<L> choice{};
+    if (by_tree) {
+        const TreeChoiceOf<L> found = choose_in_tree<L>(surface.tree, seen, u.x);
+        const auto exists = L::is_less(zero, found.probability);
+        choice = {L::select_int(exists, found.light, L::all_int(0)), found.probability, found.u};
+    } else {
+        choice = choose_face_by_area<L>(surface, u.x);
+    }
+    const FaceOf<L> face = face_of<L>(surface, choice.face);
     // Uniform over the triangle (Turk 1990, "Generating random points in triangles").
-    const V root = L::root(rest);
-    const Vec3<V> to_light = a * (one - root) + b * (root * (one - u.y)) + c * (root * u.y) - point;
+    const V root = L::root(choice.rest);
+    const Vec3<V> to_light =
+        face.a * (one - root) + face.b * (root * (one - u.y)) + face.c * (root * u.y) - point;
     const auto over = [](const Vec3<V>& v, V length) CAROM_KERNEL_ATTRIBUTE {
         return Vec3<V>{v.x / length, v.y / length, v.z / length};
     };
-    const Vec3<V> normal = cross(b - a, c - a);
+    const Vec3<V> normal = face.normal();
     const V size = L::root(dot(normal, normal));
     const V distance = L::root(dot(to_light, to_light));
     const auto is_apart = L::is_less(L::all(1e-9f), distance);
     const V divisor = L::select(is_apart, distance, one);
     const V height = dot(to_light, over(normal, L::select(L::is_less(zero, size), size, one)));
     const V cosine = L::opposite_sign(height) / divisor;
-    const auto valid = L::both(is_apart, L::is_less(zero, cosine));
+    auto valid = L::both(is_apart, L::is_less(zero, cosine));
+    V area = L::all(surface.area);
+    if (by_tree) {
+        valid = L::both(valid, L::is_less(zero, choice.probability));
+        area = L::all(0.5f) * size / L::select(valid, choice.probability, one);
+    }
     return {over(to_light, divisor), divisor,
-            divisor * divisor / (L::select(valid, cosine, one) * L::all(surface.area)),
-            all_of<L>(surface.radiance), valid};
+            divisor * divisor / (L::select(valid, cosine, one) * area), all_of<L>(surface.radiance),
+            valid};
 }
 
-/// Density of `sample_surface` (1/sr) for a ray that hits flat faces at `distance` with this cosine
-/// to the triangle's own normal.
+/// Density of `sample_surface` (1/sr) for a ray from `point` that hits a face at `distance` with
+/// this cosine to the face's own normal.
 template <class L>
-CAROM_KERNEL ValueOf<L> pdf_of_surface(const EmissiveSurfaceConstants& surface, ValueOf<L> distance,
-                                       ValueOf<L> cosine) {
+CAROM_KERNEL ValueOf<L> pdf_of_surface(const EmissiveSurfaceConstants& surface,
+                                       const Vec3Of<L>& point, const Vec3Of<L>& receiver,
+                                       IntOf<L> face, ValueOf<L> distance, ValueOf<L> cosine) {
     const auto faces = L::is_less(L::all(0), cosine);
+    auto area = L::all(surface.area);
+    auto probability = L::all(1);
+    if (surface.tree.exists()) {
+        const Vec3Of<L> normal = face_of<L>(surface, face).normal();
+        area = L::all(0.5f) * L::root(dot(normal, normal));
+        probability =
+            chance_in_tree<L>(surface.tree, see_tree<L>(surface.tree, point, receiver), face);
+    }
     const auto pdf =
-        distance * distance / (L::select(faces, cosine, L::all(1)) * L::all(surface.area));
+        distance * distance * probability / (L::select(faces, cosine, L::all(1)) * area);
     return L::select(faces, pdf, L::all(0));
 }

@@ -9,3 +9,11 @@ struct LightSampleOf {
     Vec3Of<L> radiance;   // W/(m^2 sr)
     MaskOf<L> valid;
 };
+
+template <class L>
+CAROM_KERNEL LightSampleOf<L> select_sample(MaskOf<L> mask, const LightSampleOf<L>& yes,
+                                            const LightSampleOf<L>& no) {
+    return {select<L>(mask, yes.direction, no.direction),
+            L::select(mask, yes.distance, no.distance), L::select(mask, yes.pdf, no.pdf),
+            select<L>(mask, yes.radiance, no.radiance), L::select_mask(mask, yes.valid, no.valid)};
+}

@@ -172,9 +172,10 @@ CAROM_KERNEL void hit_shapes(const Scene& scene, const RayOf<L>& ray, const Vec3
 
 CAROM_KERNEL void light(const Scene& scene, const Vec3<float>& point, const Vec3<float>& normal,
                         const Vec2<float>& u, const Sum& sum) {
+    const SeenTreeOf<L> seen = see_tree<L>(scene.surface.tree, point, normal);
     const LightSampleOf<L> samples[] = {
         sample_area_light<L>(scene.area, point, u), sample_delta_light<L>(scene.delta, point),
-        sample_shape<L>(scene.shape, point, u), sample_surface<L>(scene.surface, point, u)};
+        sample_shape<L>(scene.shape, point, u), sample_surface<L>(scene.surface, seen, point, u)};
     for (const LightSampleOf<L>& sample : samples) {
         if (sample.valid) {
             sum.add(sample.direction);
@@ -194,6 +195,7 @@ CAROM_KERNEL void light(const Scene& scene, const Vec3<float>& point, const Vec3
     }
     sum.add(importance_of_delta_light<L>(scene.delta, point, normal));
     sum.add(importance_of_shape<L>(scene.shape, point, normal));
+    sum.add(pdf_of_surface<L>(scene.surface, point, normal, 7, u.x, u.y));
     sum.add(pdf_of_shape<L>(scene.shape, point, normal, u.x, normal));
     const EnvironmentSampleOf<L> sky = sample_environment_map<L>(scene.sky, u);
     sum.add(environment_radiance<L>(scene.sky, sky.uv));
@@ -315,9 +317,8 @@ CAROM_KERNEL void step_of_path(const Wave& wave, int i) {
     sum_light<L>(wave.shadows, i);
     shade_background<L>(wave.scene, wave.paths, wave.missed, i);
     for (const WaveLight& light : wave.scene.all_lights) {
-        wave.missed.light.x.at[i] =
-            radiance_of_area_light<L>(wave.scene, light, wave.paths, i, 1).x +
-            weight_of_object<L>(wave.scene, light, wave.paths, i, 1, {0, 0, 1});
+        const LightHitOf<L> hit{{0, 0, -1}, 1, {0, 0, 1}, 7};
+        wave.missed.light.x.at[i] = radiance_of_light<L>(wave.scene, light, wave.paths, i, hit).x;
     }
 }
 

@@ -33,12 +33,14 @@ SceneBuilder unlit() {
 /// 0.8 by 0.6, facing down.
 const ParallelogramShape kPanel{{-0.4, 0.3, 0}, {0.8, 0, 0}, {0, -0.6, 0}};
 
-Estimate seen(const SceneBuilder& builder, DirectStrategy strategy, int bounces) {
+Estimate seen(const SceneBuilder& builder, DirectStrategy strategy, int bounces,
+              const test::Motion& motion = {}) {
     PathSettings path;
     path.strategy = strategy;
     path.max_bounces = bounces;
-    return test::picture_luminance(
-        builder.scene, test::camera(Vec3(0, -2.2, 0.9), Vec3(0, 0, 0.3), 0.7), path, 16, 16);
+    return test::picture_luminance(builder.scene,
+                                   test::camera(Vec3(0, -2.2, 0.9), Vec3(0, 0, 0.3), 0.7), path, 16,
+                                   16, motion);
 }
 
 TEST(Emission, EmissiveRectangle_IsALamp) {
@@ -67,6 +69,78 @@ TEST(Emission, EveryStrategy_HasTheSameMean) {
             << bounces;
         EXPECT_LT(both.error, scattering.error);
     }
+}
+
+/// 200 squares of 400 triangles in a row of rows, facing down.
+MeshShape board() {
+    MeshShape made;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 at(0.04 * (i % 20) - 0.4, 0.04 * (i / 20) - 0.2, 0);
+        const auto first = static_cast<std::uint32_t>(made.vertices.size());
+        for (const Vec3& corner :
+             {Vec3(0, 0, 0), Vec3(0, 0.02, 0), Vec3(0.02, 0.02, 0), Vec3(0.02, 0, 0)}) {
+            made.vertices.push_back(at + corner);
+        }
+        made.triangles.push_back({first, first + 1, first + 2});
+        made.triangles.push_back({first, first + 2, first + 3});
+    }
+    return made;
+}
+
+// More lights than are sampled one by one: lamps, bulbs, moving shapes of every kind, a moving and
+// a resting mesh of many faces.
+TEST(Emission, ManyLights_HaveTheSameMeanByEveryStrategy) {
+    constexpr double kShutter = 0.02;
+    SceneBuilder builder = unlit();
+    test::add_every_shape(builder, test::Placement::moving, "glow");
+    test::Motion motion{test::tracks_of_every_shape(kShutter), kShutter};
+    builder.object("board", board(), Vec3(0, 0.8, 1.2), "glow");
+    builder.object("moving board", board(), Vec3(0, 0, 0), "glow", "flies");
+    motion.tracks.push_back(
+        test::straight_track("flies", Vec3(-0.6, -0.4, 1.2), Vec3(-0.4, -0.5, 1.3), 0, kShutter));
+    for (int i = 0; i < 6; ++i) {
+        builder.lamp(Vec3(0.4 * i - 1, -0.3, 1.2 + 0.05 * i), 0.05, 0.1, 4 + i);
+        builder.bulb(Vec3(0.4 * i - 1, 0.9, 0.3), 0.03, 20);
+    }
+    for (const int bounces : {0, 2}) {
+        const Estimate both = seen(builder, DirectStrategy::both, bounces, motion);
+        const Estimate lights = seen(builder, DirectStrategy::lights_only, bounces, motion);
+        const Estimate scattering = seen(builder, DirectStrategy::scattering_only, bounces, motion);
+        EXPECT_NEAR(lights.mean, both.mean, 4 * std::hypot(lights.error, both.error)) << bounces;
+        EXPECT_NEAR(scattering.mean, both.mean, 4 * std::hypot(scattering.error, both.error))
+            << bounces;
+        EXPECT_LT(both.error, lights.error);  // close to a large light scattering finds it best
+    }
+}
+
+TEST(Emission, ManyPointsAndSpots_AddUp) {
+    const auto light = [](int i) -> LightDescription {
+        const Vec3 at(0.2 * i - 1.2, 0.3 * (i % 4) - 0.6, 0.7 + 0.1 * (i % 3));
+        if (i % 2 == 0) {
+            return {"point", PointLight{at, Vec3(0.2, 0.2, 0.2)}};
+        }
+        SpotLight spot;
+        spot.position = at;
+        spot.direction = Vec3(0.1, 0.2, -1);
+        spot.intensity = Vec3(0.5, 0.5, 0.5);
+        spot.inner_angle = 0.3;
+        spot.outer_angle = 0.7;
+        return {"spot", spot};
+    };
+    SceneBuilder all = unlit();
+    double sum = 0;
+    double error2 = 0;
+    for (int i = 0; i < 12; ++i) {
+        SceneBuilder one = unlit();
+        one.scene.lights.push_back(light(i));
+        all.scene.lights.push_back(light(i));
+        const Estimate found = seen(one, DirectStrategy::both, 2);
+        sum += found.mean;
+        error2 += found.error * found.error;
+    }
+    const Estimate found = seen(all, DirectStrategy::both, 2);
+    EXPECT_NEAR(found.mean, sum, 4 * std::sqrt(error2 + found.error * found.error));
+    EXPECT_LT(found.error, 0.02 * sum);
 }
 
 TEST(Emission, EmissiveBall_IsABulb) {

@@ -86,10 +86,9 @@ TEST(LightSet, DeltaLights_AreChosenByWhatTheyGive) {
                            {"sun", DirectionalLight{{0, 0, -1}, {1, 1, 1}}},
                            {"lamp", RectangleLight{}}});
     EXPECT_EQ(lights.area_light_count(), 1U);
-    EXPECT_EQ(lights.sampled_count(), 3U);
+    EXPECT_EQ(lights.lights().size(), 3U);
     EXPECT_FALSE(lights.is_delta(0));
     EXPECT_TRUE(lights.is_delta(1) && lights.is_delta(2));
-    EXPECT_FALSE(lights.is_environment(1));
     const V3f point(0, 0, 0);
     const V3f up(0, 0, 1);
     const auto importance = [&](std::size_t light, const V3f& normal) {

@@ -88,13 +88,71 @@ TEST(EmissiveSurface, Places_AreEvenByArea) {
     EXPECT_GT(test::chi_square_p_value(observed, expected), 0.001);
 }
 
+// Of many triangles a tree chooses; the density of each sample is that of its face.
+TEST(EmissiveSurface, ManyTriangles_HaveTheDensityOfTheirSamples) {
+    test::TestRandom random(19);
+    std::vector<EmissiveSurface::Triangle> faces;
+    for (int i = 0; i < 200; ++i) {
+        const V3f at(random.between(-1, 1), random.between(-1, 1), random.between(0.5f, 1));
+        const float size = random.between(0.01f, 0.1f);
+        faces.push_back({at, at + V3f(0, size, 0), at + V3f(size, 0, random.between(0, 0.05f))});
+    }
+    faces[7] = {V3f(0, 0, 1), V3f(0, 0, 1), V3f(0, 0, 1)};  // without area
+    const EmissiveSurface surface(faces, V3f(1, 1, 1));
+    const EmissiveSurfaceConstants constants = surface.constants();
+    ASSERT_TRUE(constants.tree.exists());
+    const V3f point(0.2f, -0.3f, 0.1f);
+    const V3f normal = V3f(0.1f, 0.2f, 1).normalized();
+    const auto seen = scalar::see_tree<scalar::One>(constants.tree, point, normal);
+    std::vector<double> observed(faces.size()), expected(faces.size());
+    constexpr int kSamples = 100'000;
+    int valid = 0;
+    for (int i = 0; i < kSamples; ++i) {
+        const V2f u{random.unit(), random.unit()};
+        const auto sample = scalar::sample_surface<scalar::One>(constants, seen, point, u);
+        if (!sample.valid) {
+            continue;
+        }
+        valid += 1;
+        const V3f place = point + sample.direction * sample.distance;
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            const auto& [a, b, c] = faces[k];
+            const V3f n = (b - a).cross(c - a);
+            // Barycentric coordinates of the place.
+            const float v = (b - place).cross(c - place).dot(n) / n.dot(n);
+            const float w = (c - place).cross(a - place).dot(n) / n.dot(n);
+            if (!(std::abs((place - a).dot(n)) < 1e-5f * n.length()) || !(v > 1e-4f) ||
+                !(w > 1e-4f) || !(v + w < 0.9999f)) {
+                continue;
+            }
+            observed[k] += 1;
+            const float cosine = -sample.direction.dot(n.normalized());
+            const float density = scalar::pdf_of_surface<scalar::One>(
+                constants, point, normal, static_cast<std::int32_t>(k), sample.distance, cosine);
+            ASSERT_NEAR(sample.pdf, density, 1e-3f * density) << k;
+        }
+    }
+    EXPECT_GT(valid, kSamples / 2);
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        const auto& [a, b, c] = faces[k];
+        const bool is_seen = (b - a).cross(c - a).dot(point - a) > 0;
+        expected[k] = is_seen ? kSamples * static_cast<double>(scalar::chance_in_tree<scalar::One>(
+                                               constants.tree, seen, static_cast<std::int32_t>(k)))
+                              : 0;
+    }
+    EXPECT_EQ(expected[7], 0);
+    EXPECT_GT(test::chi_square_p_value(observed, expected), 0.001);
+}
+
 TEST(EmissiveSurface, FromBehind_NothingArrives) {
     const EmissiveSurface surface(triangles(), V3f(1, 1, 1));
     test::TestRandom random(17);
     for (int i = 0; i < 100; ++i) {
         EXPECT_FALSE(light_sample(surface, V3f(0, 0, 5), V2f{random.unit(), random.unit()}));
     }
-    EXPECT_EQ(scalar::pdf_of_surface<scalar::One>(surface.constants(), 1, -0.5f), 0);
+    EXPECT_EQ(scalar::pdf_of_surface<scalar::One>(surface.constants(), V3f(0, 0, 5), V3f(0, 0, -1),
+                                                  0, 1, -0.5f),
+              0);
 }
 
 TEST(EmissiveSurface, WithoutArea_IsDark) {
@@ -103,7 +161,7 @@ TEST(EmissiveSurface, WithoutArea_IsDark) {
     EXPECT_TRUE(EmissiveSurface({{p, p, p}}, V3f(1, 1, 1)).is_black());
     LightSet lights;
     lights.add(3, EmissiveObject(EmissiveSurface({}, V3f(1, 1, 1))));
-    EXPECT_EQ(lights.sampled_count(), 0U);
+    EXPECT_EQ(lights.lights().size(), 0U);
     lights.add(5, EmissiveObject(EmissiveSurface(triangles(), V3f(1, 1, 1))));
     EXPECT_EQ(lights.emissive_light(5), std::optional<std::size_t>(0));
     EXPECT_FALSE(lights.emissive_light(3));

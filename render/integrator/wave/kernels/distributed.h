@@ -60,11 +60,12 @@ template <class L>
 CAROM_KERNEL int shade_by_light(const DistributedStep& step, const DistributedVertexOf<L>& v,
                                 const WaveLight& light, const Vec2Of<L>& u, int count, int k) {
     const auto zero = L::all(0);
-    const PlaceOf<L> place{v.position, v.time};
+    const PlaceOf<L> place{v.position, v.normal, v.time};
+    const SeenTreeOf<L> seen = see_light<L>(step.scene, light, place);
     const auto share = L::all(kInversePi / static_cast<float>(count));
     for (int j = 0; j < count; ++j, ++k) {
         const LightSampleOf<L> found =
-            sample_light<L>(step.scene, light, place, lattice_point<L>(u, j, count));
+            sample_light<L>(step.scene, light, seen, place, lattice_point<L>(u, j, count));
         const auto is_above = L::both(L::is_less(zero, dot(v.normal, found.direction)),
                                       L::is_less(zero, dot(v.geometric_normal, found.direction)));
         const auto emits = L::both(L::both(v.valid, found.valid), is_above);

@@ -29,48 +29,32 @@ CAROM_KERNEL ValueOf<L> expected_samples(const PathQueue& paths, IntOf<L> path,
     return L::select(exists, importance / L::select(exists, total, L::all(1)), L::all(0));
 }
 
-/// The weight of light from a lamp or an emissive object that the paths hit.
+/// Radiance that paths bring from a light with a surface that they hit, weighted.
 template <class L>
-CAROM_KERNEL ValueOf<L> weight_of_light(const WaveScene& scene, const WaveLight& light,
-                                        const PathQueue& paths, IntOf<L> path, ValueOf<L> pdf) {
-    auto expected = L::all(static_cast<float>(light.samples));
-    if (paths.vertex != 1) {
-        const PlaceOf<L> last{gather<L>(paths.last_position, path), gather<L>(paths.time, path)};
-        const auto importance =
-            importance_of<L>(scene, light, last, gather<L>(paths.last_normal, path));
-        expected = expected_samples<L>(paths, path, importance);
+CAROM_KERNEL Vec3Of<L> radiance_of_light(const WaveScene& scene, const WaveLight& light,
+                                         const PathQueue& paths, IntOf<L> path,
+                                         const LightHitOf<L>& hit) {
+    const Vec3Of<L> emitted = emitted_by<L>(light, hit.direction);
+    const PlaceOf<L> last{gather<L>(paths.last_position, path), gather<L>(paths.last_normal, path),
+                          gather<L>(paths.time, path)};
+    auto pdf = density_of<L>(scene, light, last, hit);
+    auto factor = L::all(1);
+    if (light.kind == WaveLight::Kind::area) {
+        const auto is_delta = is_set<L>(gather<L>(paths.is_delta, path));
+        factor = L::select(is_delta, factor, gain_of_area_light<L>(light.area, pdf));
     }
-    return weight_of_found<L>(scene, paths, path, expected, pdf);
-}
-
-/// Radiance of an area light that paths hit at a distance.
-template <class L>
-CAROM_KERNEL Vec3Of<L> radiance_of_area_light(const WaveScene& scene, const WaveLight& light,
-                                              const PathQueue& paths, IntOf<L> path,
-                                              ValueOf<L> distance) {
-    const Vec3Of<L> direction = gather<L>(paths.direction, path);
-    const auto pdf =
-        pdf_of_area_light<L>(light.area, gather<L>(paths.last_position, path), direction, distance);
-    const auto is_delta = is_set<L>(gather<L>(paths.is_delta, path));
-    const auto gain = L::select(is_delta, L::all(1), gain_of_area_light<L>(light.area, pdf));
-    const Vec3Of<L> emitted = emitted_by_area_light<L>(light.area, opposite<L>(direction));
-    const Vec3Of<L> radiance =
-        emitted * (gain * weight_of_light<L>(scene, light, paths, path, pdf));
-    return select<L>(L::is_less(L::all(0), largest<L>(emitted)), radiance, emitted);
-}
-
-/// Weight of the light of an emissive object that paths hit at a distance, where its front has this
-/// unit normal.
-template <class L>
-CAROM_KERNEL ValueOf<L> weight_of_object(const WaveScene& scene, const WaveLight& light,
-                                         const PathQueue& paths, IntOf<L> path, ValueOf<L> distance,
-                                         const Vec3Of<L>& normal) {
-    const Vec3Of<L> direction = gather<L>(paths.direction, path);
-    const BodyOf<L> body = body_of<L>(light, gather<L>(paths.time, path));
-    const auto pdf =
-        light.kind == WaveLight::Kind::flat_object
-            ? pdf_of_surface<L>(light.surface, distance, L::opposite_sign(dot(direction, normal)))
-            : pdf_of_shape<L>(light.shape, body.point(gather<L>(paths.last_position, path)),
-                              body.vector(direction), distance, body.vector(normal));
-    return weight_of_light<L>(scene, light, paths, path, pdf);
+    if (scene.lights.exists()) {
+        const WaveLight& entry = light.is_in_tree ? scene.lights[scene.lights.count() - 1] : light;
+        auto expected = L::all(static_cast<float>(entry.samples));
+        if (paths.vertex != 1) {
+            expected = expected_samples<L>(paths, path, importance_of<L>(scene, entry, last));
+        }
+        if (light.is_in_tree) {
+            pdf = pdf * chance_in_tree<L>(scene.light_tree,
+                                          see_tree<L>(scene.light_tree, last.position, last.normal),
+                                          L::all_int(light.number));
+        }
+        factor = factor * weight_of_found<L>(scene, paths, path, expected, pdf);
+    }
+    return select<L>(L::is_less(L::all(0), largest<L>(emitted)), emitted * factor, emitted);
 }

@@ -85,7 +85,7 @@ CAROM_KERNEL void add_shadow_rays(const WaveStep& step, const VertexOf<L>& v,
 
 template <class L>
 CAROM_KERNEL PlaceOf<L> place_of(const VertexOf<L>& v) {
-    return {v.position, v.time};
+    return {v.position, v.bsdf.frame.z, v.time};
 }
 
 template <class L>
@@ -95,7 +95,7 @@ CAROM_KERNEL ValueOf<L> environment_sample_count(const WaveStep& step, const Ver
     }
     auto total = L::all(0);
     for (const WaveLight& light : step.scene.lights) {
-        total = total + importance_of<L>(step.scene, light, place_of<L>(v), v.bsdf.frame.z);
+        total = total + importance_of<L>(step.scene, light, place_of<L>(v));
     }
     const auto fraction =
         L::all(step.scene.environment_importance) / (L::all(kFullSamplingFraction) * total);
@@ -107,8 +107,8 @@ CAROM_KERNEL ValueOf<L> environment_sample_count(const WaveStep& step, const Ver
 /// Samples the environment: sometimes, or several times where a rough coat shows it. Returns the
 /// number of the next ray.
 template <class L>
-CAROM_KERNEL int sample_environment(const WaveStep& step, const VertexOf<L>& v,
-                                    const WaveLight& light, const Vec2Of<L>& u, int k) {
+CAROM_KERNEL int sample_environment(const WaveStep& step, const VertexOf<L>& v, const Vec2Of<L>& u,
+                                    int k) {
     const auto expected = v.environment_samples;
     const auto always = L::is_at_most(L::all(1), expected);
     const auto wanted = L::both(v.scatters, L::either(always, L::is_less(u.x, expected)));
@@ -126,8 +126,7 @@ CAROM_KERNEL int sample_environment(const WaveStep& step, const VertexOf<L>& v,
                      L::select(v.shows_gloss, shifted.y, u.y)};
         }
         const auto now = j == 0 ? wanted : v.shows_gloss;
-        add_shadow_rays<L>(step, v, sample_light<L>(step.scene, light, place_of<L>(v), point),
-                           expected, now, k);
+        add_shadow_rays<L>(step, v, sample_sky<L>(step.scene.sky, point), expected, now, k);
     }
     return k;
 }
@@ -137,18 +136,25 @@ template <class L>
 CAROM_KERNEL void sample_all_lights(const WaveStep& step, VertexOf<L>& v,
                                     const SamplerOf<L>& sampler) {
     v.environment_samples = environment_sample_count<L>(step, v);
+    const PlaceOf<L> place = place_of<L>(v);
     ValueOf<L> pair[4];
     std::uint32_t asked = 0;
     int k = 0;
     for (int index = 0; index < step.scene.lights.count(); ++index) {
         const WaveLight& light = step.scene.lights[index];
+        const SeenTreeOf<L> seen = see_light<L>(step.scene, light, place);
         if (light.samples > 1) {
+            const auto samples = L::all(static_cast<float>(light.samples));
             ValueOf<L> x[4], y[4];
-            sampler.get_2d_block(kLightBlockSets + static_cast<std::uint32_t>(index), x, y);
-            for (int j = 0; j < 4; ++j) {
+            for (int j = 0; j < light.samples; ++j) {
+                if (j % 4 == 0) {
+                    const auto block =
+                        static_cast<std::uint32_t>(index + j / 4 * step.scene.lights.count());
+                    sampler.get_2d_block(kLightBlockSets + block, x, y);
+                }
                 const LightSampleOf<L> found =
-                    sample_area_light<L>(light.area, v.position, {x[j], y[j]});
-                add_shadow_rays<L>(step, v, found, L::all(4), v.scatters, k++);
+                    sample_entry<L>(step.scene, light, seen, place, {x[j % 4], y[j % 4]});
+                add_shadow_rays<L>(step, v, found, samples, v.scatters, k++);
             }
             continue;
         }
@@ -159,9 +165,9 @@ CAROM_KERNEL void sample_all_lights(const WaveStep& step, VertexOf<L>& v,
         const Vec2Of<L> u{pair[first], pair[first + 1]};
         asked += 1;
         if (light.is_environment()) {
-            k = sample_environment<L>(step, v, light, u, k);
+            k = sample_environment<L>(step, v, u, k);
         } else {
-            add_shadow_rays<L>(step, v, sample_light<L>(step.scene, light, place_of<L>(v), u),
+            add_shadow_rays<L>(step, v, sample_entry<L>(step.scene, light, seen, place, u),
                                L::all(1), v.scatters, k++);
         }
     }
@@ -170,23 +176,9 @@ CAROM_KERNEL void sample_all_lights(const WaveStep& step, VertexOf<L>& v,
 /// Samples one light, chosen by importance, at later vertices.
 template <class L>
 CAROM_KERNEL void sample_one_light(const WaveStep& step, VertexOf<L>& v, const Vec2Of<L>& u) {
-    const auto zero = L::all(0);
-    const LightChoiceOf<L> choice =
-        choose_light<L>(step.scene, place_of<L>(v), v.bsdf.frame.z, u.x);
-    v.total_importance = L::select(v.scatters, choice.total, zero);
-    LightSampleOf<L> found{v.bsdf.frame.z, zero, L::all(1), {zero, zero, zero}, L::first_lanes(0)};
-    for (int light = 0; light < step.scene.lights.count(); ++light) {
-        const auto takes = L::both(v.scatters, L::is_equal_int(choice.light, L::all_int(light)));
-        if (L::none(takes)) {
-            continue;
-        }
-        const LightSampleOf<L> one =
-            sample_light<L>(step.scene, step.scene.lights[light], place_of<L>(v), {choice.u, u.y});
-        found.direction = select<L>(takes, one.direction, found.direction);
-        found.distance = L::select(takes, one.distance, found.distance);
-        found.pdf = L::select(takes, one.pdf, found.pdf);
-        found.radiance = select<L>(takes, one.radiance, found.radiance);
-        found.valid = L::either(found.valid, L::both(takes, one.valid));
-    }
+    const LightChoiceOf<L> choice = choose_light<L>(step.scene, place_of<L>(v), u.x);
+    v.total_importance = L::select(v.scatters, choice.total, L::all(0));
+    const LightSampleOf<L> found =
+        sample_choice<L>(step.scene, choice, v.scatters, place_of<L>(v), u.y);
     add_shadow_rays<L>(step, v, found, choice.probability, v.scatters, 0);
 }
