@@ -154,7 +154,8 @@ void BM_PyramidLookup(benchmark::State& state) {
     std::uint32_t i = 0;
     for (auto _ : state) {
         const V2f uv = place(++i);
-        benchmark::DoNotOptimize(scalar::look_up_image<scalar::One>(tables, uv, 0.004f));
+        benchmark::DoNotOptimize(
+            scalar::look_up_image<scalar::One>(tables, {uv, V2f(0.004f, 0), V2f(0, 0.004f)}));
     }
 }
 

@@ -20,12 +20,17 @@ Point point_of_sphere(const SceneObject& object, const RigidMotion* motion, cons
     const float radius = object.half_size.x;
     Point point = scalar::point_on_sphere<One>(ray, t, centre, radius);
     if (object.has_texture) {
-        auto arm = point.geometric_normal * radius;
+        const auto metres_from_body = scalar::affine_of<One>(object.metres_from_world);
+        const V3f arm = point.geometric_normal * radius;
         if (motion != nullptr) {
-            arm = scalar::rotation_at<One>(motion->pieces(), time).undo(arm);
+            const auto turn = scalar::rotation_at<One>(motion->pieces(), time);
+            scalar::set_place_on_sphere<One>(metres_from_body, turn.undo(arm), radius,
+                                             needs_of(object), point);
+            scalar::turn_gradients<One>(turn, point);
+        } else {
+            scalar::set_place_on_sphere<One>(metres_from_body, arm, radius, needs_of(object),
+                                             point);
         }
-        scalar::set_place_on_sphere<One>(scalar::affine_of<One>(object.metres_from_world), arm,
-                                         radius, needs_of(object), point);
     }
     return point;
 }
@@ -82,7 +87,8 @@ SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, co
     point.shading_normal = found.shading_normal;
     point.object_position = found.object_position;
     point.uv = found.uv;
-    point.uv_per_metre = found.uv_per_metre;
+    point.u_gradient = found.u_gradient;
+    point.v_gradient = found.v_gradient;
     point.uv_metres = found.uv_metres;
     point.offset = scalar::offset_at<One>(found.position, object.bounding_radius);
     point.object = hit.object;

@@ -58,9 +58,9 @@ struct SurfacePoint {
     /// and cones: longitude and height from the bottom, their ends as disks; planes: x and y.
     /// Except for meshes and planes in [0, 1].
     V2f uv{0, 0};
-    float uv_per_metre = 0;  // how fast uv runs over the surface, 1/m; 0: not known
-    V2f uv_metres{0, 0};     // lengths over which u and v grow by 1 (spheres: at the equator), m
-    float offset = 0;        // distance by which the next ray must start off the surface, m
+    V3f u_gradient{0, 0, 0}, v_gradient{0, 0, 0};  // of u and v along the surface, 1/m
+    V2f uv_metres{0, 0};  // lengths over which u and v grow by 1 (spheres: at the equator), m
+    float offset = 0;     // distance by which the next ray must start off the surface, m
     std::uint32_t object = kNoObject;
     std::uint32_t material = 0;  // index in the scene's materials; kNoMaterial for lights
 };

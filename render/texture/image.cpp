@@ -179,13 +179,12 @@ ImageTables ImagePyramid::tables() const {
     ImageTables tables;
     tables.levels = std::visit([](const auto& levels) { return levels.tables(); }, levels_);
     tables.is_grey = std::holds_alternative<MipPyramid<HalfNumberCodec>>(levels_);
+    tables.width = width_;
+    tables.height = height_;
     if (!values_.empty()) {
-        tables.levels.longest_side = 0.5f * static_cast<float>(std::max(width_, height_));
         tables.codes = std::visit([](const auto& codes) { return bytes_of(codes); }, codes_);
         tables.values = List<float>(values_);
         tables.has_16_bits = std::holds_alternative<std::vector<std::uint16_t>>(codes_);
-        tables.width = width_;
-        tables.height = height_;
     }
     return tables;
 }

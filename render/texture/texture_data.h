@@ -33,7 +33,7 @@ struct ImageTables {
     List<std::uint8_t> codes;  // of 8 or 16 bits
     List<float> values;        // of the codes
     bool has_16_bits = false;  // each code, instead of 8
-    int width = 0;
+    int width = 0;             // of the finest level
     int height = 0;
 
     template <class Visit>

@@ -52,6 +52,14 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, IntOf<L> tr
         return point;
     }
     point.uv = {u, v};
+    // The gradients of the weights u and v.
+    const V area2 = dot(across, across);
+    const auto has_area = L::is_less(zero, area2);
+    const V scale = L::select(has_area, one / L::select(has_area, area2, one), zero);
+    const Vec3<V> of_u = cross(edge_c, across) * scale;
+    const Vec3<V> of_v = cross(across, edge_b) * scale;
+    point.u_gradient = of_u;
+    point.v_gradient = of_v;
     if (mesh.uv.exists()) {
         const Vec2<V> uv_a = two_at<L>(mesh.uv.data(), index_a);
         const Vec2<V> corner_b = two_at<L>(mesh.uv.data(), index_b);
@@ -59,14 +67,14 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, IntOf<L> tr
         const Vec2<V> uv_b{corner_b.x - uv_a.x, corner_b.y - uv_a.y};
         const Vec2<V> uv_c{corner_c.x - uv_a.x, corner_c.y - uv_a.y};
         point.uv = {uv_a.x + u * uv_b.x + v * uv_c.x, uv_a.y + u * uv_b.y + v * uv_c.y};
-        const V area = L::root(dot(across, across));
-        const auto has_area = L::is_less(zero, area);
+        point.u_gradient = of_u * uv_b.x + of_v * uv_c.x;
+        point.v_gradient = of_u * uv_b.y + of_v * uv_c.y;
+        const V area = L::root(area2);
         const V uv_area = L::size(uv_b.x * uv_c.y - uv_b.y * uv_c.x);
-        point.uv_per_metre =
+        const V per_metre =
             L::select(has_area, L::root(uv_area / L::select(has_area, area, one)), zero);
-        const auto is_known = L::is_less(zero, point.uv_per_metre);
-        const V metres =
-            L::select(is_known, one / L::select(is_known, point.uv_per_metre, one), zero);
+        const auto is_known = L::is_less(zero, per_metre);
+        const V metres = L::select(is_known, one / L::select(is_known, per_metre, one), zero);
         point.uv_metres = {metres, metres};
     }
     return point;

@@ -32,16 +32,12 @@ CAROM_KERNEL void set_place_on_sphere(const AffineOf<L>& metres_from_body, const
     }
     if (needs.uv) {
         point.uv = longitude_latitude<L>(point.object_position);
-        point.uv_per_metre = L::all(0.5f * kInversePi) / radius;
+        const LongitudeGradientsOf<L> gradients(point.object_position * (L::all(1) / radius),
+                                                radius);
+        point.u_gradient = metres_from_body.inverse_normal(gradients.u);
+        point.v_gradient = metres_from_body.inverse_normal(gradients.v);
         point.uv_metres = {L::all(kTurn) * radius, L::all(0.5f * kTurn) * radius};
     }
-}
-
-template <class L>
-CAROM_KERNEL void set_uv(const Vec2Of<L>& uv, const Vec2Of<L>& metres, SurfacePointOf<L>& point) {
-    point.uv = uv;
-    point.uv_metres = metres;
-    point.uv_per_metre = L::all(1) / L::root(metres.x * metres.y);
 }
 
 /// The point of a box at rest along the world's axes.
@@ -60,8 +56,10 @@ CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, ValueOf
     if (needs.uv) {
         const Vec2Of<L> place = along_face<L>(face, face.position);
         const Vec2Of<L> sides = along_face<L>(face, half_size);
-        set_uv<L>(across_square<L>(place.x / sides.x, place.y / sides.y),
-                  {L::all(2) * sides.x, L::all(2) * sides.y}, point);
+        point.uv = across_square<L>(place.x / sides.x, place.y / sides.y);
+        point.uv_metres = {L::all(2) * sides.x, L::all(2) * sides.y};
+        point.u_gradient = first_axis<L>(face, L::all(1) / point.uv_metres.x);
+        point.v_gradient = second_axis<L>(face, L::all(1) / point.uv_metres.y);
     }
     return point;
 }
@@ -91,9 +89,18 @@ CAROM_KERNEL SurfacePointOf<L> point_on_shape(ShapeKind kind, const MappedShapeO
         point.object_position = shape.metres_from_body.point(point.position);
     }
     if (needs.uv) {
-        set_uv<L>(on_unit.uv, on_unit.uv_metres, point);
+        point.uv = on_unit.uv;
+        point.uv_metres = on_unit.uv_metres;
+        point.u_gradient = shape.unit_from_body.inverse_normal(on_unit.u_gradient);
+        point.v_gradient = shape.unit_from_body.inverse_normal(on_unit.v_gradient);
     }
     return point;
+}
+
+template <class L>
+CAROM_KERNEL void turn_gradients(const RotationOf<L>& turn, SurfacePointOf<L>& point) {
+    point.u_gradient = turn.apply(point.u_gradient);
+    point.v_gradient = turn.apply(point.v_gradient);
 }
 
 /// A point given in the axes of a body, in the world's.
@@ -102,5 +109,6 @@ CAROM_KERNEL SurfacePointOf<L> moved(const PoseOf<L>& body, SurfacePointOf<L> po
     point.position = body.position + body.rotation.apply(point.position);
     point.geometric_normal = body.rotation.apply(point.geometric_normal);
     point.shading_normal = body.rotation.apply(point.shading_normal);
+    turn_gradients<L>(body.rotation, point);
     return point;
 }

@@ -7,7 +7,7 @@ struct SurfacePointOf {
     Vec3Of<L> position, geometric_normal, shading_normal;
     Vec3Of<L> object_position;
     Vec2Of<L> uv;
-    ValueOf<L> uv_per_metre;
+    Vec3Of<L> u_gradient, v_gradient;
     Vec2Of<L> uv_metres;
 };
 
@@ -17,7 +17,7 @@ CAROM_KERNEL void clear_texture_place(SurfacePointOf<L>& point) {
     const auto zero = L::all(0);
     point.object_position = {zero, zero, zero};
     point.uv = {zero, zero};
-    point.uv_per_metre = zero;
+    point.u_gradient = point.v_gradient = {zero, zero, zero};
     point.uv_metres = {zero, zero};
 }
 
@@ -31,6 +31,22 @@ CAROM_KERNEL Vec2Of<L> longitude_latitude(const Vec3Of<L>& p) {
     return {L::select(L::is_less(turns, zero), turns + L::all(1), turns),
             L::larger(L::all(1) - from_top, zero)};
 }
+
+/// The gradients of longitude_latitude, for a point at a distance from the origin along the unit
+/// vector n. At the poles that of u has no limit; it stays finite.
+template <class L>
+struct LongitudeGradientsOf {
+    Vec3Of<L> u, v;
+
+    CAROM_KERNEL LongitudeGradientsOf(const Vec3Of<L>& n, ValueOf<L> distance) {
+        const auto level = L::root(L::larger(n.x * n.x + n.y * n.y, L::all(1e-8f)));
+        const auto across = L::all(1 / kTurn) / (distance * level * level);
+        const auto up = L::all(kInversePi) / (distance * level);
+        u = {L::opposite_sign(n.y) * across, n.x * across, L::all(0)};
+        v = {L::opposite_sign(n.x) * n.z * up, L::opposite_sign(n.y) * n.z * up,
+             (L::all(1) - n.z * n.z) * up};
+    }
+};
 
 template <class L>
 struct FacePointOf {
@@ -81,6 +97,20 @@ template <class L>
 CAROM_KERNEL Vec2Of<L> along_face(const FacePointOf<L>& face, const Vec3Of<L>& v) {
     return {L::select(face.is_x, v.y, L::select(face.is_z, v.x, v.z)),
             L::select(face.is_x, v.z, L::select(face.is_z, v.y, v.x))};
+}
+
+/// The inverse of along_face: the axis of the box along which the first part runs, and the second.
+template <class L>
+CAROM_KERNEL Vec3Of<L> first_axis(const FacePointOf<L>& face, ValueOf<L> length) {
+    const auto zero = L::all(0);
+    return {L::select(face.is_z, length, zero), L::select(face.is_x, length, zero),
+            L::select(L::either(face.is_x, face.is_z), zero, length)};
+}
+template <class L>
+CAROM_KERNEL Vec3Of<L> second_axis(const FacePointOf<L>& face, ValueOf<L> length) {
+    const auto zero = L::all(0);
+    return {L::select(L::either(face.is_x, face.is_z), zero, length),
+            L::select(face.is_z, length, zero), L::select(face.is_x, length, zero)};
 }
 
 /// Distance by which the next ray must start off the surface, m.

@@ -17,21 +17,26 @@ struct UnitPointOf {
     Vec3Of<L> position;
     Vec3Of<L> normal;  // outwards, of any length
     Vec2Of<L> uv;
-    Vec2Of<L> uv_metres;  // lengths over which u and v grow by 1, m
-};
+    Vec2Of<L> uv_metres;               // lengths over which u and v grow by 1, m
+    Vec3Of<L> u_gradient, v_gradient;  // along the surface; in the shape's axes
 
-template <class L>
-CAROM_KERNEL Vec2Of<L> no_uv() {
-    return {L::all(0), L::all(0)};
-}
+    CAROM_KERNEL UnitPointOf(const Vec3Of<L>& p, const Vec3Of<L>& n) : position(p), normal(n) {
+        const auto zero = L::all(0);
+        uv = uv_metres = {zero, zero};
+        u_gradient = v_gradient = {zero, zero, zero};
+    }
+};
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_sphere(const UnitHitOf<L>& hit) {
     const Vec3Of<L> n = unit<L>(hit.ray.at(hit.t));
-    UnitPointOf<L> point{n, n, no_uv<L>(), no_uv<L>()};
+    UnitPointOf<L> point(n, n);
     if (hit.needs_uv) {
         point.uv = longitude_latitude<L>(n);
         point.uv_metres = {hit.half_size.x * L::all(kTurn), hit.half_size.z * L::all(0.5f * kTurn)};
+        const LongitudeGradientsOf<L> gradients(n, L::all(1));
+        point.u_gradient = gradients.u;
+        point.v_gradient = gradients.v;
     }
     return point;
 }
@@ -40,12 +45,14 @@ template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_box(const UnitHitOf<L>& hit) {
     const auto one = L::all(1);
     const FacePointOf<L> face = point_on_box<L>(hit.ray, hit.t, {one, one, one});
-    UnitPointOf<L> point{face.position, face.normal, no_uv<L>(), no_uv<L>()};
+    UnitPointOf<L> point(face.position, face.normal);
     if (hit.needs_uv) {
         const Vec2Of<L> place = along_face<L>(face, face.position);
         const Vec2Of<L> sides = along_face<L>(face, hit.half_size);
         point.uv = {L::all(0.5f) * (place.x + one), L::all(0.5f) * (place.y + one)};
         point.uv_metres = {sides.x * L::all(2), sides.y * L::all(2)};
+        point.u_gradient = first_axis<L>(face, L::all(0.5f));
+        point.v_gradient = second_axis<L>(face, L::all(0.5f));
     }
     return point;
 }
@@ -55,10 +62,11 @@ template <class L>
 CAROM_KERNEL UnitPointOf<L> on_flat_shape(const UnitHitOf<L>& hit, ValueOf<L> x, ValueOf<L> y,
                                           const Vec2Of<L>& uv, float uv_length) {
     const auto zero = L::all(0);
-    return {{x, y, zero},
-            {zero, zero, L::all(1)},
-            uv,
-            {hit.half_size.x * L::all(uv_length), hit.half_size.y * L::all(uv_length)}};
+    UnitPointOf<L> point({x, y, zero}, {zero, zero, L::all(1)});
+    point.uv = uv;
+    point.uv_metres = {hit.half_size.x * L::all(uv_length), hit.half_size.y * L::all(uv_length)};
+    point.u_gradient.x = point.v_gradient.y = L::all(1 / uv_length);
+    return point;
 }
 
 /// uv across the square |x|, |y| <= 1.
@@ -139,12 +147,10 @@ CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
     const V inwards = L::select(L::is_less(radius, from_axis), radius / divisor, one);
     const V out_x = L::select(off_axis, p.x / divisor, one);
     const V out_y = L::select(off_axis, p.y / divisor, zero);
-    UnitPointOf<L> point;
-    point.position = {L::select(face.is_cap, inwards * p.x, radius * out_x),
-                      L::select(face.is_cap, inwards * p.y, radius * out_y), z};
-    point.normal =
-        select<L>(face.is_cap, {zero, zero, end}, {out_x, out_y, L::opposite_sign(slope)});
-    point.uv = point.uv_metres = no_uv<L>();
+    UnitPointOf<L> point(
+        {L::select(face.is_cap, inwards * p.x, radius * out_x),
+         L::select(face.is_cap, inwards * p.y, radius * out_y), z},
+        select<L>(face.is_cap, {zero, zero, end}, {out_x, out_y, L::opposite_sign(slope)}));
     if (hit.needs_uv) {
         const Vec2<V> on_cap = across_square<L>(point.position.x, point.position.y);
         const V turns = quick_angle<L>(out_x, out_y) * L::all(0.5f * kInversePi);
@@ -154,6 +160,11 @@ CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
                     L::select(face.is_cap, on_cap.y, height)};
         point.uv_metres = {hit.half_size.x * L::select(face.is_cap, L::all(2), L::all(kTurn)),
                            L::select(face.is_cap, hit.half_size.y, hit.half_size.z) * L::all(2)};
+        const V half = L::all(0.5f);
+        const V around = L::all(1 / kTurn) / L::larger(radius, L::all(1e-4f));
+        point.u_gradient = select<L>(face.is_cap, {half, zero, zero},
+                                     {L::opposite_sign(out_y) * around, out_x * around, zero});
+        point.v_gradient = select<L>(face.is_cap, {zero, half, zero}, {zero, zero, half});
     }
     return point;
 }
@@ -169,13 +180,16 @@ CAROM_KERNEL UnitPointOf<L> on_unit_capsule(const UnitHitOf<L>& hit) {
     const V height = L::smaller(L::larger(p.z, L::opposite_sign(half_length)), half_length);
     const Vec3<V> on_axis{zero, zero, height};
     const Vec3<V> normal = unit<L>(p - on_axis);
-    UnitPointOf<L> point{on_axis + normal, normal, no_uv<L>(), no_uv<L>()};
+    UnitPointOf<L> point(on_axis + normal, normal);
     if (hit.needs_uv) {
         const V pole_to_pole = L::all(2) * half_length + L::all(0.5f * kTurn);
         const Vec2<V> turns = longitude_latitude<L>(normal);
         const V from_pole = height + half_length + L::all(0.5f * kTurn) * turns.y;
         point.uv = {turns.x, from_pole / pole_to_pole};
         point.uv_metres = {hit.half_size.x * L::all(kTurn), hit.half_size.z * pole_to_pole};
+        const LongitudeGradientsOf<L> gradients(normal, L::all(1));
+        point.u_gradient = gradients.u;
+        point.v_gradient = gradients.v * (L::all(0.5f * kTurn) / pole_to_pole);
     }
     return point;
 }
@@ -193,7 +207,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_rounded_box(const UnitHitOf<L>& hit) {
     };
     const Vec3<V> on_core{within(p.x, core.x), within(p.y, core.y), within(p.z, core.z)};
     const Vec3<V> normal = unit<L>(p - on_core);
-    UnitPointOf<L> point{on_core + normal, normal, no_uv<L>(), no_uv<L>()};
+    UnitPointOf<L> point(on_core + normal, normal);
     if (hit.needs_uv) {
         const Vec3<V> size{L::size(normal.x), L::size(normal.y), L::size(normal.z)};
         FacePointOf<L> face;
@@ -204,6 +218,8 @@ CAROM_KERNEL UnitPointOf<L> on_unit_rounded_box(const UnitHitOf<L>& hit) {
         const Vec2<V> sides = along_face<L>(face, hit.half_size);
         point.uv = across_square<L>(place.x / side.x, place.y / side.y);
         point.uv_metres = {sides.x * (L::all(2) * side.x), sides.y * (L::all(2) * side.y)};
+        point.u_gradient = first_axis<L>(face, L::all(0.5f) / side.x);
+        point.v_gradient = second_axis<L>(face, L::all(0.5f) / side.y);
     }
     return point;
 }

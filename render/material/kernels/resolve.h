@@ -16,24 +16,23 @@ CAROM_KERNEL Vec3Of<L> flipped(MaskOf<L> flips, const Vec3Of<L>& v) {
             L::select(flips, L::opposite_sign(v.z), v.z)};
 }
 
-/// All lanes have the same material. `wo`: towards the viewer; `footprint`: width of a pixel, m.
+/// All lanes have the same material. `wo`: towards the viewer.
 template <class L>
 CAROM_KERNEL ResolvedOf<L> resolve_surface(const TextureData& texture, float bump,
                                            const TexturePointOf<L>& point,
-                                           const Vec3Of<L>& shading_normal, const Vec3Of<L>& wo,
-                                           ValueOf<L> footprint) {
+                                           const Vec3Of<L>& shading_normal, const Vec3Of<L>& wo) {
     ResolvedOf<L> surface;
     surface.from_behind = L::is_less(dot(point.geometric_normal, wo), L::all(0));
     surface.geometric_normal = flipped<L>(surface.from_behind, point.geometric_normal);
     Vec3Of<L> normal = flipped<L>(surface.from_behind, shading_normal);
     Vec3Of<L> colour;
     if (bump > 0) {
-        const TextureReliefOf<L> relief = relief_of<L>(texture, point, footprint);
+        const TextureReliefOf<L> relief = relief_of<L>(texture, point);
         const Vec3Of<L> shift = relief.normal_shift * L::all(bump);
         colour = relief.colour;
         normal = unit<L>(normal + shift - normal * dot(normal, shift));
     } else {
-        colour = colour_of<L>(texture, point, footprint);
+        colour = colour_of<L>(texture, point);
     }
     surface.base = {limited<L>(colour.x, 0, 1), limited<L>(colour.y, 0, 1),
                     limited<L>(colour.z, 0, 1)};

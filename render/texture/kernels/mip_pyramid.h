@@ -49,14 +49,10 @@ CAROM_KERNEL ValueOf<L> repeated_part(ValueOf<L> x) {
     return limited<L>(x - L::rounded_down(x), 0, 1);
 }
 
-/// The four texels around `uv` on the finest level whose texels are at least half as large as the
-/// footprint, in units of uv of the longer side. Any number is safe.
+/// The four texels around `uv` on a level. Any place is safe.
 template <class L>
-CAROM_KERNEL TexelPlaceOf<L> texel_place(const PyramidTables& pyramid, const Vec2Of<L>& uv,
-                                         ValueOf<L> footprint) {
-    const auto texels = limited<L>(footprint * L::all(pyramid.longest_side), 1, 1e9f);
-    const auto exponent = L::template shifted_right_int<23>(L::bits_of(texels)) - L::all_int(127);
-    const auto level = L::smaller_int(exponent, L::all_int(pyramid.first.count() - 1));
+CAROM_KERNEL TexelPlaceOf<L> texels_around(const PyramidTables& pyramid, const Vec2Of<L>& uv,
+                                           IntOf<L> level) {
     const auto width = L::gather_int(pyramid.width.data(), level);
     const auto height = L::gather_int(pyramid.height.data(), level);
     const auto tile = [&](ValueOf<L> x) CAROM_KERNEL_ATTRIBUTE {
@@ -72,6 +68,31 @@ CAROM_KERNEL TexelPlaceOf<L> texel_place(const PyramidTables& pyramid, const Vec
     return {upper, upper + stride, x - floor_x, y - floor_y};
 }
 
+/// Whole numbers and fractions of logarithms to base 2 of numbers >= 1; the fraction is linear
+/// between powers of 2.
+template <class L>
+struct LogarithmOf {
+    IntOf<L> whole;
+    ValueOf<L> fraction;
+
+    CAROM_KERNEL explicit LogarithmOf(ValueOf<L> x) {
+        const auto bits = L::bits_of(x);
+        whole = L::template shifted_right_int<23>(bits) - L::all_int(127);
+        const auto mantissa = bits & L::all_int(0x7fffff);
+        fraction = L::from_bits(mantissa | L::all_int(127 << 23)) - L::all(1);
+    }
+};
+
+/// The four texels around `uv` on the finest level whose texels are at least half as large as the
+/// footprint, in units of uv of the longer side. Any number is safe.
+template <class L>
+CAROM_KERNEL TexelPlaceOf<L> texel_place(const PyramidTables& pyramid, const Vec2Of<L>& uv,
+                                         ValueOf<L> footprint) {
+    const LogarithmOf<L> level(limited<L>(footprint * L::all(pyramid.longest_side), 1, 1e9f));
+    return texels_around<L>(pyramid, uv,
+                            L::smaller_int(level.whole, L::all_int(pyramid.first.count() - 1)));
+}
+
 /// T: a number or a vector in lanes.
 template <class L, class T>
 CAROM_KERNEL T bilinear(const T& upper_left, const T& upper_right, const T& lower_left,
@@ -82,12 +103,9 @@ CAROM_KERNEL T bilinear(const T& upper_left, const T& upper_right, const T& lowe
     return upper * (L::all(1) - place.fy) + lower * place.fy;
 }
 
-/// The value at `uv`, v = 0 at the top, averaged over about `footprint` (in the same unit, of the
-/// larger side), from the finest level whose texels are at least half as large.
 template <class L>
-CAROM_KERNEL Vec3Of<L> look_up_half_colour(const PyramidTables& pyramid, const Vec2Of<L>& uv,
-                                           ValueOf<L> footprint) {
-    const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
+CAROM_KERNEL Vec3Of<L> look_up_half_colour(const PyramidTables& pyramid,
+                                           const TexelPlaceOf<L>& place) {
     const auto texel = [&](IntOf<L> index) CAROM_KERNEL_ATTRIBUTE {
         const auto twofold = index + index;
         const auto fourfold = twofold + twofold;
@@ -99,12 +117,19 @@ CAROM_KERNEL Vec3Of<L> look_up_half_colour(const PyramidTables& pyramid, const V
                                   texel(place.lower + one), place);
 }
 
+/// The value at `uv`, v = 0 at the top, averaged over about `footprint` (in the same unit, of the
+/// larger side), from the finest level whose texels are at least half as large.
+template <class L>
+CAROM_KERNEL Vec3Of<L> look_up_half_colour(const PyramidTables& pyramid, const Vec2Of<L>& uv,
+                                           ValueOf<L> footprint) {
+    return look_up_half_colour<L>(pyramid, texel_place<L>(pyramid, uv, footprint));
+}
+
 /// Likewise of numbers of kBits: both texels of a row are in one word. `decoded`:
 /// the value of a texel in a word's lower bits.
 template <class L, int kBits, class Decode>
-CAROM_KERNEL ValueOf<L> look_up_number(const PyramidTables& pyramid, const Vec2Of<L>& uv,
-                                       ValueOf<L> footprint, const Decode& decoded) {
-    const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
+CAROM_KERNEL ValueOf<L> look_up_number(const PyramidTables& pyramid, const TexelPlaceOf<L>& place,
+                                       const Decode& decoded) {
     const auto words = [&](IntOf<L> index) CAROM_KERNEL_ATTRIBUTE {
         return L::gather_bytes(pyramid.texels.data(), L::product(index, kBits / 8));
     };
@@ -115,28 +140,28 @@ CAROM_KERNEL ValueOf<L> look_up_number(const PyramidTables& pyramid, const Vec2O
                                    place);
 }
 
+/// See look_up_half_colour.
 template <class L>
 CAROM_KERNEL ValueOf<L> look_up_signed(const PyramidTables& pyramid, const Vec2Of<L>& uv,
                                        ValueOf<L> footprint) {
-    return look_up_number<L, 16>(pyramid, uv, footprint, [](WordOf<L> word) CAROM_KERNEL_ATTRIBUTE {
-        return signed_value<L>(word);
-    });
+    return look_up_number<L, 16>(pyramid, texel_place<L>(pyramid, uv, footprint),
+                                 [](WordOf<L> word)
+                                     CAROM_KERNEL_ATTRIBUTE { return signed_value<L>(word); });
 }
 
+/// Likewise.
 template <class L>
 CAROM_KERNEL ValueOf<L> look_up_coverage(const PyramidTables& pyramid, const Vec2Of<L>& uv,
                                          ValueOf<L> footprint) {
-    return look_up_number<L, 8>(pyramid, uv, footprint, [](WordOf<L> word) CAROM_KERNEL_ATTRIBUTE {
-        return coverage_value<L>(word);
-    });
+    return look_up_number<L, 8>(pyramid, texel_place<L>(pyramid, uv, footprint),
+                                [](WordOf<L> word)
+                                    CAROM_KERNEL_ATTRIBUTE { return coverage_value<L>(word); });
 }
 
 template <class L>
-CAROM_KERNEL ValueOf<L> look_up_half(const PyramidTables& pyramid, const Vec2Of<L>& uv,
-                                     ValueOf<L> footprint) {
-    return look_up_number<L, 16>(pyramid, uv, footprint, [](WordOf<L> word) CAROM_KERNEL_ATTRIBUTE {
-        return half_value<L>(word);
-    });
+CAROM_KERNEL ValueOf<L> look_up_half(const PyramidTables& pyramid, const TexelPlaceOf<L>& place) {
+    return look_up_number<L, 16>(
+        pyramid, place, [](WordOf<L> word) CAROM_KERNEL_ATTRIBUTE { return half_value<L>(word); });
 }
 
 /// The value of a texel of the finest level.
@@ -195,29 +220,93 @@ CAROM_KERNEL Vec3Of<L> look_up_coded(const ImageTables& picture, const Vec2Of<L>
                                   coded_texel<L>(picture, lower_row + right_column), place);
 }
 
-/// See look_up_half_colour.
+/// The bilinear value at `uv` on a level; 0 is the finest one.
 template <class L>
-CAROM_KERNEL_OUTLINED Vec3Of<L> look_up_image(const ImageTables& picture, const Vec2Of<L>& uv,
-                                              ValueOf<L> footprint) {
-    const auto from_levels = [&]() CAROM_KERNEL_ATTRIBUTE {
+CAROM_KERNEL Vec3Of<L> look_up_level(const ImageTables& picture, const Vec2Of<L>& uv,
+                                     IntOf<L> level) {
+    const auto from_levels = [&](IntOf<L> of_pyramid) CAROM_KERNEL_ATTRIBUTE {
+        const TexelPlaceOf<L> place = texels_around<L>(picture.levels, uv, of_pyramid);
         if (!picture.is_grey) {
-            return look_up_half_colour<L>(picture.levels, uv, footprint);
+            return look_up_half_colour<L>(picture.levels, place);
         }
-        const auto grey = look_up_half<L>(picture.levels, uv, footprint);
+        const auto grey = look_up_half<L>(picture.levels, place);
         return Vec3Of<L>{grey, grey, grey};
     };
     if (!picture.codes.exists()) {
-        return from_levels();
+        return from_levels(level);
     }
-    // The levels begin with the second one, whose longer side counts as half of the finest one's.
-    const auto is_finest = L::is_less(
-        limited<L>(footprint * L::all(picture.levels.longest_side), 0.5f, 1e9f), L::all(1));
+    // The pyramid begins with the second level.
+    const auto coarser = L::larger_int(level - L::all_int(1), L::all_int(0));
+    const auto is_finest = L::is_less_int(level, L::all_int(1));
     if (L::none(is_finest)) {
-        return from_levels();
+        return from_levels(coarser);
     }
     const auto finest = look_up_coded<L>(picture, uv);
     if (L::none(L::opposite(is_finest))) {
         return finest;
     }
-    return select<L>(is_finest, finest, from_levels());
+    return select<L>(is_finest, finest, from_levels(coarser));
+}
+
+/// Between the values of the two levels whose texels are about as large as `texels` (>= 1) of the
+/// finest one.
+template <class L>
+CAROM_KERNEL Vec3Of<L> look_up_between(const ImageTables& picture, const Vec2Of<L>& uv,
+                                       ValueOf<L> texels) {
+    const int last = picture.levels.first.count() - (picture.codes.exists() ? 0 : 1);
+    const LogarithmOf<L> level(limited<L>(texels, 1, 1e9f));
+    const auto finer = L::smaller_int(level.whole, L::all_int(last));
+    const Vec3Of<L> fine = look_up_level<L>(picture, uv, finer);
+    if (L::none(L::is_less(L::all(0), level.fraction))) {
+        return fine;
+    }
+    const auto coarser = L::smaller_int(level.whole + L::all_int(1), L::all_int(last));
+    const Vec3Of<L> coarse = look_up_level<L>(picture, uv, coarser);
+    return fine + (coarse - fine) * level.fraction;
+}
+
+/// A place in a picture, v = 0 at the top, and how it changes along two sides of a pixel.
+template <class L>
+struct PixelOf {
+    Vec2Of<L> uv, along, across;
+};
+
+/// The mean of a picture over a pixel's parallelogram: trilinear values side by side along its
+/// longer side, as wide as the shorter one, or an eighth of the longer one (Heckbert 1989; hardware
+/// does likewise, EXT_texture_filter_anisotropic).
+template <class L>
+CAROM_KERNEL_OUTLINED Vec3Of<L> look_up_image(const ImageTables& picture, const PixelOf<L>& pixel) {
+    constexpr int kMostValues = 8;
+    // Samples of a pixel lie side by side, so that each may see a little less than all of it.
+    constexpr float kPartOfPixel = 0.7f;
+    const auto zero = L::all(0);
+    const auto texels_of = [&](const Vec2Of<L>& v) CAROM_KERNEL_ATTRIBUTE {
+        const auto x = v.x * L::all(kPartOfPixel * static_cast<float>(picture.width));
+        const auto y = v.y * L::all(kPartOfPixel * static_cast<float>(picture.height));
+        return L::root(x * x + y * y);
+    };
+    const auto along = texels_of(pixel.along);
+    const auto across = texels_of(pixel.across);
+    const auto is_across = L::is_less(along, across);
+    const auto longer = L::larger(along, across);
+    const Vec2Of<L> side{L::select(is_across, pixel.across.x, pixel.along.x),
+                         L::select(is_across, pixel.across.y, pixel.along.y)};
+    const auto width = L::larger(L::smaller(along, across), L::all(1));
+    // As many as it takes, unless one texel holds all.
+    const auto wanted = limited<L>(longer / width, 1, kMostValues);
+    const auto count = L::rounded_down(wanted + L::all(0.999f));
+    const auto texels = L::larger(width, longer * L::all(1.0f / kMostValues));
+    Vec3Of<L> sum{zero, zero, zero};
+    for (int i = 0; i < kMostValues; ++i) {
+        const auto counts = L::is_less(L::all(static_cast<float>(i)), count);
+        if (L::none(counts)) {
+            break;
+        }
+        const auto from_middle = (L::all(static_cast<float>(i) + 0.5f) / count - L::all(0.5f));
+        const Vec3Of<L> value = look_up_between<L>(
+            picture, {pixel.uv.x + side.x * from_middle, pixel.uv.y + side.y * from_middle},
+            texels);
+        sum = sum + select<L>(counts, value, {zero, zero, zero});
+    }
+    return sum * (L::all(1) / count);
 }

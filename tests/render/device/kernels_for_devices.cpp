@@ -205,13 +205,13 @@ CAROM_KERNEL void light(const Scene& scene, const Vec3<float>& point, const Vec3
 
 CAROM_KERNEL void scatter(const Scene& scene, const Vec3<float>& normal, const Vec3<float>& viewer,
                           const Vec2<float>& u, const Sum& sum) {
-    TexturePointOf<L> point;
-    point.object_position = viewer;
-    point.geometric_normal = normal;
-    point.uv = point.uv_metres = u;
-    point.uv_per_metre = u.x;
-    const ResolvedOf<L> surface =
-        resolve_surface<L>(scene.texture, u.x, point, normal, viewer, u.y);
+    SurfacePointOf<L> hit;
+    hit.object_position = viewer;
+    hit.geometric_normal = normal;
+    hit.uv = hit.uv_metres = u;
+    hit.u_gradient = hit.v_gradient = normal;
+    const TexturePointOf<L> point = texture_point<L>(hit, true, viewer, u.y, 0.1f);
+    const ResolvedOf<L> surface = resolve_surface<L>(scene.texture, u.x, point, normal, viewer);
     BsdfOf<L> bsdf;
     const float* number = scene.materials;
     const auto read = [&](float& x) { x = *number++; };

@@ -15,16 +15,16 @@ CAROM_KERNEL void points_of_hits(render::ShapeKind kind, const Read& read, const
     const MappedShapeOf<L> shape{map(14), map(26), map(38), three(50), three(53)};
     const SurfacePointOf<L> point =
         moved<L>(body, point_on_shape<L>(kind, shape, body.in_body(ray), read(13), {true, true}));
-    const Vec3<typename L::Value> vectors[4] = {point.position, point.geometric_normal,
-                                                point.shading_normal, point.object_position};
-    for (int i = 0; i < 4; ++i) {
+    const Vec3<typename L::Value> vectors[6] = {point.position,       point.geometric_normal,
+                                                point.shading_normal, point.object_position,
+                                                point.u_gradient,     point.v_gradient};
+    for (int i = 0; i < 6; ++i) {
         write(3 * i, vectors[i].x);
         write(3 * i + 1, vectors[i].y);
         write(3 * i + 2, vectors[i].z);
     }
-    write(12, point.uv.x);
-    write(13, point.uv.y);
-    write(14, point.uv_per_metre);
-    write(15, point.uv_metres.x);
-    write(16, point.uv_metres.y);
+    write(18, point.uv.x);
+    write(19, point.uv.y);
+    write(20, point.uv_metres.x);
+    write(21, point.uv_metres.y);
 }

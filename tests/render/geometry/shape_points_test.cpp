@@ -15,7 +15,7 @@ namespace carom::test {
 struct LaneHits {
     static constexpr int kMost = 16;
     static constexpr int kNumbers = 56;       // of one hit
-    static constexpr int kPointNumbers = 17;  // of one point
+    static constexpr int kPointNumbers = 22;  // of one point
 
     render::ShapeKind kind = render::ShapeKind::sphere;
     alignas(64) float hit[kNumbers][kMost];

@@ -122,7 +122,7 @@ TEST(Resolve, ShadingNormalTurnedAwayFromTheViewer_FallsBackToTheGeometricOne) {
     point.geometric_normal = kNormal;
     const auto surface = scalar::resolve_surface<scalar::One>(material.texture().data(), 0, point,
                                                               V3f(-1, 0, 0.1f).normalized(),
-                                                              V3f(0.9f, 0, 0.1f).normalized(), 0);
+                                                              V3f(0.9f, 0, 0.1f).normalized());
     EXPECT_EQ(surface.normal, kNormal);
 }
 

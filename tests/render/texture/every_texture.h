@@ -122,7 +122,9 @@ inline render::SurfacePoint random_texture_point(TestRandom& random) {
     normal.x += normal.length2() > 0 ? 0.0f : 1.0f;
     point.geometric_normal = normal.normalized();
     point.uv = {within(3), within(3)};
-    point.uv_per_metre = random.between(0.1f, 5.0f);
+    const float per_metre = random.between(0.1f, 5.0f);
+    point.u_gradient = render::V3f(per_metre, 0.1f, -0.3f * per_metre);
+    point.v_gradient = render::V3f(-0.2f, 0.7f * per_metre, per_metre);
     point.uv_metres = {random.between(0.1f, 5.0f), random.between(0.1f, 5.0f)};
     return point;
 }

@@ -170,16 +170,61 @@ TEST(ImagePyramid, IntegersOfAFile_TakeTheirOwnRoom) {
     EXPECT_TRUE(tables.is_grey);
     EXPECT_FALSE(tables.has_16_bits);
     EXPECT_EQ(tables.codes[5], 255);
+    const auto at = [&](const V2f& uv, float width) {
+        return scalar::look_up_image<One>(tables, {uv, V2f(width, 0), V2f(0, width)});
+    };
     // Texels' centres, around the edges too; the half float nearest to 0.2 is 0.19995.
-    EXPECT_NEAR(scalar::look_up_image<One>(grey.tables(), {0.5f, 0.25f}, 0).x, 0.2f, 1e-4f);
-    EXPECT_EQ(scalar::look_up_image<One>(grey.tables(), {0.5f, 0.25f}, 0).y,
-              scalar::look_up_image<One>(grey.tables(), {0.5f, 0.25f}, 0).z);
-    EXPECT_NEAR(scalar::look_up_image<One>(grey.tables(), {1.0f, 0.25f}, 0).x, 0.2f,
+    EXPECT_NEAR(at({0.5f, 0.25f}, 0).x, 0.2f, 1e-4f);
+    EXPECT_EQ(at({0.5f, 0.25f}, 0).y, at({0.5f, 0.25f}, 0).z);
+    EXPECT_NEAR(at({1.0f, 0.25f}, 0).x, 0.2f,
                 1e-4f);  // between 0.4 and 0
-    EXPECT_NEAR(scalar::look_up_image<One>(grey.tables(), {-1 / 6.0f, 0.75f}, 0).x, 1, 1e-4f);
+    EXPECT_NEAR(at({-1 / 6.0f, 0.75f}, 0).x, 1, 1e-4f);
     // The whole picture in one texel: the mean of those of four, and of the last column.
-    EXPECT_NEAR(scalar::look_up_image<One>(grey.tables(), {0.1f, 0.1f}, 10).x, 0.5f * (0.4f + 0.7f),
-                1e-3f);
+    EXPECT_NEAR(at({0.1f, 0.1f}, 10).x, 0.5f * (0.4f + 0.7f), 1e-3f);
+}
+
+/// 64 by 64 texels, in columns of black and white four texels wide.
+ImagePyramid stripes() {
+    std::vector<std::uint8_t> codes;
+    for (int i = 0; i < 64 * 64; ++i) {
+        codes.push_back(i % 64 / 4 % 2 == 0 ? 0 : 255);
+    }
+    return ImagePyramid(empty_picture(64, 64, 1, codes), true, V3f(0));
+}
+
+// A pixel that is long along the stripes and narrow across them sees their colours; one that is
+// long across them sees their mean.
+TEST(ImagePyramid, LongPixels_AreFilteredAlongTheirLength) {
+    const ImagePyramid picture = stripes();
+    const ImageTables tables = picture.tables();
+    const auto at = [&](float x, const V2f& along, const V2f& across) {
+        return scalar::look_up_image<One>(tables, {V2f(x / 64, 0.5f), along / 64, across / 64}).x;
+    };
+    for (const float length : {1.0f, 3.0f, 7.0f, 10.0f}) {
+        EXPECT_NEAR(at(2, V2f(0, length), V2f(1, 0)), 0, 0.01) << length;
+        EXPECT_NEAR(at(6, V2f(0, length), V2f(1, 0)), 1, 0.01) << length;
+        EXPECT_NEAR(at(6, V2f(1, 0), V2f(0, length)), 1, 0.01) << length;
+    }
+    for (const float x : {2.0f, 3.0f, 5.5f}) {
+        EXPECT_NEAR(at(x, V2f(24 / 0.7f, 0), V2f(0, 1)), 0.5, 0.07) << x;
+        EXPECT_NEAR(at(x, V2f(500, 0), V2f(0, 500)), 0.5, 0.01) << x;
+    }
+}
+
+// As a pixel grows, its colour changes gradually: levels are blended.
+TEST(ImagePyramid, GrowingPixels_ChangeGradually) {
+    const ImagePyramid picture = stripes();
+    const ImageTables tables = picture.tables();
+    float last = 1;
+    for (float width = 0.5f; width < 100; width *= 1.01f) {
+        const float value =
+            scalar::look_up_image<One>(
+                tables, {V2f(6.0f / 64, 0.5f), V2f(width / 64, 0), V2f(0, width / 64)})
+                .x;
+        EXPECT_NEAR(value, last, 0.02) << width;
+        last = value;
+    }
+    EXPECT_NEAR(last, 0.5, 0.01);
 }
 
 /// Two by two texels: red and green above blue and white, on a surface whose uv covers 4 m by 2 m.
@@ -194,7 +239,8 @@ class PlacedImage : public ::testing::Test {
         SurfacePoint point;
         point.uv = V2f(u, v);
         point.uv_metres = V2f(4, 2);
-        point.uv_per_metre = 1 / std::sqrt(8.f);
+        point.u_gradient = V3f(0.25f, 0, 0);
+        point.v_gradient = V3f(0, 0.5f, 0);
         return test::colour_of(Texture(image_, images_), point, 0);
     }
 

@@ -8,6 +8,7 @@
 
 #include "render/texture/kernels-inl.h"
 #include "tests/render/every_target.h"
+#include "tests/render/texture/texture_values.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -32,9 +33,13 @@ HWY_INLINE void store_three(const Vec3<Value>& v, float* const (&to)[3], std::si
 }
 HWY_INLINE TexturePointOf<Lanes> load_point(const test::PointLists& points, std::size_t first) {
     const Numbers d;
-    return {load_three(points.object_position, first), load_three(points.geometric_normal, first),
-            load_two(points.uv, first), hn::LoadU(d, &points.uv_per_metre[first]),
-            load_two(points.uv_metres, first)};
+    return {load_three(points.object_position, first),
+            load_three(points.geometric_normal, first),
+            load_two(points.uv, first),
+            load_two(points.uv_metres, first),
+            hn::LoadU(d, &points.footprint[first]),
+            load_two(points.along, first),
+            load_two(points.across, first)};
 }
 
 HWY_ATTR void all_colours(const TextureData& texture, const test::PointLists& points,
@@ -42,9 +47,7 @@ HWY_ATTR void all_colours(const TextureData& texture, const test::PointLists& po
     const Numbers d;
     float* const to[3] = {colour[0], colour[1], colour[2]};
     for (std::size_t i = 0; i < points.footprint.size(); i += hn::Lanes(d)) {
-        store_three(
-            colour_of<Lanes>(texture, load_point(points, i), hn::LoadU(d, &points.footprint[i])),
-            to, i);
+        store_three(colour_of<Lanes>(texture, load_point(points, i)), to, i);
     }
 }
 
@@ -54,8 +57,7 @@ HWY_ATTR void all_reliefs(const TextureData& texture, const test::PointLists& po
     float* const colours[3] = {colour[0], colour[1], colour[2]};
     float* const shifts[3] = {shift[0], shift[1], shift[2]};
     for (std::size_t i = 0; i < points.footprint.size(); i += hn::Lanes(d)) {
-        const TextureReliefOf<Lanes> relief =
-            relief_of<Lanes>(texture, load_point(points, i), hn::LoadU(d, &points.footprint[i]));
+        const TextureReliefOf<Lanes> relief = relief_of<Lanes>(texture, load_point(points, i));
         store_three(relief.colour, colours, i);
         store_three(relief.normal_shift, shifts, i);
     }
@@ -89,6 +91,7 @@ HWY_EXPORT(texture_lanes_of_target);
 namespace carom::test {
 
 void PointLists::add(const render::SurfacePoint& point, float width) {
+    const auto textured = texture_point(point, width);
     for (int axis = 0; axis < 3; ++axis) {
         object_position[axis].push_back(point.object_position[axis]);
         geometric_normal[axis].push_back(point.geometric_normal[axis]);
@@ -96,8 +99,9 @@ void PointLists::add(const render::SurfacePoint& point, float width) {
     for (int axis = 0; axis < 2; ++axis) {
         uv[axis].push_back(point.uv[axis]);
         uv_metres[axis].push_back(point.uv_metres[axis]);
+        along[axis].push_back(textured.along[axis]);
+        across[axis].push_back(textured.across[axis]);
     }
-    uv_per_metre.push_back(point.uv_per_metre);
     footprint.push_back(width);
 }
 

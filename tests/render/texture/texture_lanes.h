@@ -16,7 +16,8 @@ constexpr std::size_t kLaneMultiple = 16;
 
 /// Coordinates by axis. All vectors have the same size, a multiple of kLaneMultiple.
 struct PointLists {
-    std::vector<float> object_position[3], geometric_normal[3], uv[2], uv_per_metre, uv_metres[2];
+    std::vector<float> object_position[3], geometric_normal[3], uv[2], uv_metres[2], along[2],
+        across[2];
     std::vector<float> footprint;
 
     void add(const render::SurfacePoint& point, float width);

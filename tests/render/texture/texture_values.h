@@ -6,19 +6,26 @@
 
 namespace carom::test {
 
-namespace detail {
+/// Seen from straight above in a pixel of this width (m).
 inline render::scalar::TexturePointOf<render::scalar::One> texture_point(
-    const render::SurfacePoint& point) {
-    using namespace render::scalar;  // three, two
-    return {point.object_position, point.geometric_normal, point.uv, point.uv_per_metre,
-            point.uv_metres};
+    const render::SurfacePoint& point, float footprint) {
+    render::scalar::SurfacePointOf<render::scalar::One> of_kernels{};
+    of_kernels.object_position = point.object_position;
+    of_kernels.geometric_normal = point.geometric_normal;
+    of_kernels.uv = point.uv;
+    of_kernels.uv_metres = point.uv_metres;
+    of_kernels.u_gradient = point.u_gradient;
+    of_kernels.v_gradient = point.v_gradient;
+    auto textured = render::scalar::texture_point<render::scalar::One>(
+        of_kernels, true, point.geometric_normal, footprint, 1);
+    textured.footprint = footprint;  // normals are not quite of length 1
+    return textured;
 }
-}  // namespace detail
 
 inline render::V3f colour_of(const render::Texture& texture, const render::SurfacePoint& point,
                              float footprint) {
     return render::scalar::colour_of<render::scalar::One>(texture.data(),
-                                                          detail::texture_point(point), footprint);
+                                                          texture_point(point, footprint));
 }
 
 struct Relief {
@@ -28,7 +35,7 @@ struct Relief {
 inline Relief relief_of(const render::Texture& texture, const render::SurfacePoint& point,
                         float footprint) {
     const auto relief = render::scalar::relief_of<render::scalar::One>(
-        texture.data(), detail::texture_point(point), footprint);
+        texture.data(), texture_point(point, footprint));
     return {relief.colour, relief.normal_shift};
 }
 

@@ -67,12 +67,16 @@ CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const SurfaceTask& task, const Wa
     const auto radius = gather<L>(task.scene.shapes, kHalfSize, hit.object);
     SurfacePointOf<L> point = point_on_sphere<L>(hit.ray, hit.distance, centre, radius);
     if (task.group.has_texture) {
-        Vec3Of<L> arm = point.geometric_normal * radius;
+        const AffineOf<L> metres_from_body = gather_map<L>(hit, task, kMetresFromWorld);
+        const Vec3Of<L> arm = point.geometric_normal * radius;
         if (task.group.moves) {
-            arm = turn_of<L>(task, hit).undo(arm);
+            const RotationOf<L> turn = turn_of<L>(task, hit);
+            set_place_on_sphere<L>(metres_from_body, turn.undo(arm), radius, needs_of(task.group),
+                                   point);
+            turn_gradients<L>(turn, point);
+        } else {
+            set_place_on_sphere<L>(metres_from_body, arm, radius, needs_of(task.group), point);
         }
-        set_place_on_sphere<L>(gather_map<L>(hit, task, kMetresFromWorld), arm, radius,
-                               needs_of(task.group), point);
     }
     return point;
 }
@@ -161,15 +165,12 @@ CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
     const WaveHitOf<L> hit = hit_at<L>(task, first);
     const SurfacePointOf<L> point = point_at<L>(task, hit);
     const Vec3Of<L> wo = opposite<L>(hit.ray.direction);
-    const auto cosine =
-        L::larger(L::size(dot(point.geometric_normal, wo)), L::all(kLeastConeCosine));
     const auto width = gather<L>(task.paths.cone_width, hit.path) +
                        gather<L>(task.paths.cone_spread, hit.path) * hit.distance;
-    const TexturePointOf<L> textured{point.object_position, point.geometric_normal, point.uv,
-                                     point.uv_per_metre, point.uv_metres};
-    const ResolvedOf<L> surface =
-        resolve_surface<L>(task.scene.textures[group.material], group.bump, textured,
-                           point.shading_normal, wo, width / L::root(cosine));
+    const TexturePointOf<L> textured =
+        texture_point<L>(point, group.needs_uv, wo, width, L::all(kLeastConeCosine));
+    const ResolvedOf<L> surface = resolve_surface<L>(
+        task.scene.textures[group.material], group.bump, textured, point.shading_normal, wo);
     const auto radius = group.kind == WaveGroup::Kind::mesh
                             ? L::all(group.bounding_radius)
                             : gather<L>(task.scene.shapes, kBoundingRadius, hit.object);
