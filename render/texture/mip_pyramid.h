@@ -30,9 +30,9 @@ template <class Value>
 }
 
 /// `Codec` names a stored `Texel`, the `Value` that it represents, and the functions decode and
-/// encode between them. kernels/mip_pyramid.h looks values up. A look-up reads four texels of
-/// one level: 35 ns for colours where OpenImageIO's TextureSystem, which can page pictures larger
-/// than the memory, takes 290 (bench/frame_bench.cpp).
+/// encode between them. kernels/mip_pyramid.h looks values up. A value
+/// of one level takes four texels: 35 ns for colours where OpenImageIO's TextureSystem, which can
+/// page pictures larger than the memory, takes 290 (bench/frame_bench.cpp).
 template <class Codec>
 class MipPyramid {
   public:

@@ -160,11 +160,12 @@ CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
                     L::select(face.is_cap, on_cap.y, height)};
         point.uv_metres = {hit.half_size.x * L::select(face.is_cap, L::all(2), L::all(kTurn)),
                            L::select(face.is_cap, hit.half_size.y, hit.half_size.z) * L::all(2)};
-        const V half = L::all(0.5f);
+        const V per_length = L::all(0.5f);
         const V around = L::all(1 / kTurn) / L::larger(radius, L::all(1e-4f));
-        point.u_gradient = select<L>(face.is_cap, {half, zero, zero},
+        point.u_gradient = select<L>(face.is_cap, {per_length, zero, zero},
                                      {L::opposite_sign(out_y) * around, out_x * around, zero});
-        point.v_gradient = select<L>(face.is_cap, {zero, half, zero}, {zero, zero, half});
+        point.v_gradient =
+            select<L>(face.is_cap, {zero, per_length, zero}, {zero, zero, per_length});
     }
     return point;
 }
