@@ -186,6 +186,36 @@ CAROM_KERNEL OneOf<L> choose_by_strength(const LightTreeData& tree, IntOf<L> nod
             limited<L>((x - before) / L::select(exists, own, L::all(1)), 0, kOneMinusEpsilon)};
 }
 
+/// The importance of the children of each lane's node.
+template <class L>
+struct SeenChildrenOf {
+    ValueOf<L> importance[LightTreeData::kMostOfNode];
+    ValueOf<L> total;
+    int most = 0;  // children of a node
+};
+
+/// In the lanes `asks`; elsewhere there are none.
+template <class L>
+CAROM_KERNEL SeenChildrenOf<L> see_children(const LightTreeData& tree, const SeenTreeOf<L>& seen,
+                                            IntOf<L> node, MaskOf<L> asks) {
+    const auto first = L::gather_int(tree.first_child.data(), node);
+    const auto count = L::gather_int(tree.children.data(), node);
+    SeenChildrenOf<L> children;
+    children.total = L::all(0);
+    for (; children.most < LightTreeData::kMostOfNode; ++children.most) {
+        const auto exists = L::both(asks, L::is_less_int(L::all_int(children.most), count));
+        if (L::none(exists)) {
+            break;
+        }
+        const auto child = L::select_int(exists, first + L::all_int(children.most), L::all_int(0));
+        const auto importance =
+            importance_of_node<L>(tree, own_node<L>(tree, child), seen.point, seen.normal);
+        children.importance[children.most] = L::select(exists, importance, L::all(0));
+        children.total = children.total + children.importance[children.most];
+    }
+    return children;
+}
+
 template <class L>
 CAROM_KERNEL TreeChoiceOf<L> choose_in_tree(const LightTreeData& tree, const SeenTreeOf<L>& seen,
                                             ValueOf<L> u) {
@@ -204,23 +234,8 @@ CAROM_KERNEL TreeChoiceOf<L> choose_in_tree(const LightTreeData& tree, const See
         if (L::none(goes_on)) {
             break;
         }
-        const auto count = L::gather_int(tree.children.data(), node);
-        ValueOf<L> importance[LightTreeData::kMostOfNode];
-        auto total = zero;
-        int most = 0;
-        for (; most < LightTreeData::kMostOfNode; ++most) {
-            const auto exists = L::both(goes_on, L::is_less_int(L::all_int(most), count));
-            if (L::none(exists)) {
-                break;
-            }
-            const auto child = L::select_int(exists, first + L::all_int(most), none);
-            importance[most] = L::select(
-                exists,
-                importance_of_node<L>(tree, own_node<L>(tree, child), seen.point, seen.normal),
-                zero);
-            total = total + importance[most];
-        }
-        one = choose_one<L>(importance, most, total, u);
+        const SeenChildrenOf<L> children = see_children<L>(tree, seen, node, goes_on);
+        one = choose_one<L>(children.importance, children.most, children.total, u);
         u = L::select(goes_on, one.u, u);
         probability = L::select(goes_on, probability * one.probability, probability);
         node = L::select_int(goes_on, first + one.index, node);
@@ -256,21 +271,7 @@ CAROM_KERNEL ValueOf<L> chance_in_tree(const LightTreeData& tree, const SeenTree
         if (L::none(is_low)) {
             return L::select(is_chosen, probability * importance / seen.total, zero);
         }
-        const auto above = L::larger_int(parent, none);
-        const auto first = L::gather_int(tree.first_child.data(), above);
-        const auto count = L::gather_int(tree.children.data(), above);
-        auto total = zero;
-        for (int i = 0; i < LightTreeData::kMostOfNode; ++i) {
-            const auto exists = L::both(is_low, L::is_less_int(L::all_int(i), count));
-            if (L::none(exists)) {
-                break;
-            }
-            const auto child = L::select_int(exists, first + L::all_int(i), none);
-            total = L::select(exists,
-                              total + importance_of_node<L>(tree, own_node<L>(tree, child),
-                                                            seen.point, seen.normal),
-                              total);
-        }
+        const auto total = see_children<L>(tree, seen, L::larger_int(parent, none), is_low).total;
         const auto is_seen = L::both(is_low, L::is_less(zero, importance));
         const auto share =
             L::select(is_seen, importance / L::select(is_seen, total, L::all(1)), zero);
