@@ -12,8 +12,11 @@
 #include "bench/ray_scene.h"
 #include "lab/structures/make_structure.h"
 #include "render/acceleration/flush_denormals.h"
+#include "render/acceleration/hybrid_structure.h"
+#include "render/acceleration/triangle_scene.h"
 #include "render/camera/thin_lens_camera.h"
 #include "render/sampling/sampler.h"
+#include "tests/render/acceleration/owned_batch.h"
 
 namespace carom::bench {
 namespace {
@@ -161,6 +164,35 @@ void frame_set_up(benchmark::State& state, bool with_knot, AccelerationKind kind
     }
 }
 
+/// Equal meshes: kept once at rest and in motion, and for comparison a copy of each.
+enum class Equal { copied, at_rest, moving };
+
+/// The bytes of the structure, and nearest hits of secondary rays, 64 at a time.
+void equal_meshes(benchmark::State& state, Equal equal) {
+    const FlushDenormals mode;
+    const TableShot shot = make_equal_meshes(equal == Equal::moving);
+    StructureMaker maker;
+    if (equal == Equal::copied) {
+        maker = [](const ShapeSet& shapes, std::span<const MeshEntry> meshes) {
+            ShapeSet all = shapes;
+            all.meshes = std::make_shared<const TriangleScene>(meshes);
+            return std::make_unique<HybridStructure>(all);
+        };
+    }
+    const StaticGeometry geometry(shot.scene, {}, maker);
+    const FrameScene frame(geometry, shot.tracks, shot.scene_open, shot.scene_close);
+    const std::vector<Ray> rays = make_ray_sets(frame).secondary;
+    const test::OwnedBatch batch(rays);
+    std::vector<Hit> hits(rays.size());
+    for (auto _ : state) {
+        frame.structure().closest_hits(batch.rays(), hits.data());
+        benchmark::DoNotOptimize(hits.data());
+    }
+    count_rays(state, rays.size());
+    const auto& structure = dynamic_cast<const HybridStructure&>(frame.structure());
+    state.counters["structure_MB"] = static_cast<double>(structure.bytes()) / 1e6;
+}
+
 void register_all() {
     const struct {
         const char* name;
@@ -195,6 +227,13 @@ void register_all() {
                                      [=](benchmark::State& state) { camera_rays(state, moving); });
     }
     benchmark::RegisterBenchmark("next_4d", next_4d);
+    const std::pair<const char*, Equal> equals[] = {
+        {"copied", Equal::copied}, {"at_rest", Equal::at_rest}, {"moving", Equal::moving}};
+    for (const auto& [name, equal] : equals) {
+        benchmark::RegisterBenchmark(
+            (std::string("200_equal_meshes/secondary/") + name).c_str(),
+            [equal = equal](benchmark::State& state) { equal_meshes(state, equal); });
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "render/acceleration/analytic_tree_queries-inl.h"
+#include "render/acceleration/instance_queries-inl.h"
 #include "render/triangle/moller_trumbore.h"
 
 // One instruction set is enough, since all give the same bits and nobody measures the time.
@@ -89,6 +90,19 @@ void ask_triangles(const TriangleTree& tree, const Ray& ray, const float& limit,
                      });
 }
 
+/// Asks a tree of instances with one of their queries.
+template <Order kOrder, class Query>
+void ask_instances(const InstanceTree& tree, const Ray& ray, const float& limit, KindCounts& counts,
+                   const Query& query) {
+    if (!tree.instances.empty()) {
+        traverse<kOrder>(CountedNodes{tree.tree, counts}, SingleRay(ray, limit), {ray.t_min, 0},
+                         [&](std::uint32_t leaf, const SingleRay::Entry& entry) {
+                             counts.objects += 1;
+                             return query(leaf, entry);
+                         });
+    }
+}
+
 }  // namespace
 
 }  // namespace carom::render::HWY_NAMESPACE
@@ -126,6 +140,27 @@ bool any_counted(const TriangleTree& tree, const Ray& ray, KindCounts& counts) {
         return found;
     });
     return found;
+}
+
+void closest_counted(const InstanceTree& tree, const Ray& ray, Hit& best, KindCounts& counts) {
+    float limit = std::min(best.t, PacketLanes::kLargest);
+    const float before = limit;
+    auto object = static_cast<std::int32_t>(best.object);
+    auto primitive = static_cast<std::int32_t>(best.primitive);
+    ask_instances<Order::nearest_first>(
+        tree, ray, limit, counts,
+        ClosestInstanceOfRay{tree, ray, {limit, object, primitive, best.u, best.v}});
+    if (limit < before || object != static_cast<std::int32_t>(best.object)) {
+        best.t = limit;
+        best.object = static_cast<std::uint32_t>(object);
+        best.primitive = static_cast<std::uint32_t>(primitive);
+    }
+}
+
+bool any_counted(const InstanceTree& tree, const Ray& ray, KindCounts& counts) {
+    float limit = std::min(ray.t_max, PacketLanes::kLargest);
+    ask_instances<Order::any>(tree, ray, limit, counts, AnyInstanceOfRay{tree, ray, limit});
+    return limit < 0;
 }
 
 }  // namespace carom::render

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/acceleration/moving_shape.h"
+#include "render/acceleration/triangle_batch_kernels.h"
 #include "render/triangle/moller_trumbore.h"
 
 namespace carom::render {
@@ -30,6 +31,12 @@ Primitives::Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes
         } else {
             bounded_.push_back({Primitive::kMoving, i, shape.object, 0, bounds_of(shape)});
         }
+    }
+    for (const MeshInstance& instance : shapes.instances) {
+        const auto index = static_cast<std::uint32_t>(instances_.size());
+        bounded_.push_back({Primitive::kInstance, index, instance.object, 0,
+                            MovingBounds{instance.bounds, instance.bounds}});
+        instances_.push_back(make_instance_tree({instance}));
     }
     const std::size_t first = bounded_.size();
     add_meshes(meshes);
@@ -66,6 +73,9 @@ std::array<V3f, 3> Primitives::corners(const Primitive& triangle) const {
 bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const {
     if (shape.shape == Primitive::kMoving) {
         return intersect_moving(moving_[shape.index], ray, hit);
+    }
+    if (shape.shape == Primitive::kInstance) {
+        return best_instance_batch_kernels().closest_of_ray(instances_[shape.index], ray, hit);
     }
     if (shape.shape == Primitive::kMeshTriangle && triangle_test_) {
         const bool is_hit =

@@ -1,4 +1,11 @@
 // The tests of triangles in the leaves of a tree. Included once per instruction set.
+#if defined(CAROM_TRIANGLE_QUERIES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_TRIANGLE_QUERIES_INL_H
+#undef CAROM_TRIANGLE_QUERIES_INL_H
+#else
+#define CAROM_TRIANGLE_QUERIES_INL_H
+#endif
+
 #include <algorithm>
 
 #include "render/acceleration/tree_traversal-inl.h"
@@ -38,18 +45,42 @@ HWY_INLINE bool stays_beyond(const LeafSlab& slab, const Ray& ray, float limit) 
     return stay_beyond<L>(slab, all_of<L>(ray.origin), all_of<L>(ray.direction), limit);
 }
 
-/// The nearest hit of one ray, whose distance is `limit`. Of the ray, t_max is not used.
-struct ClosestOfRay {
-    const TriangleTree& tree;
-    Ray ray;
-    float& limit;
+/// The nearest hit of one ray, wherever that is kept.
+struct NearestOfRay {
+    float& limit;  // its distance, or where the search ends
     std::int32_t& object;
     std::int32_t& primitive;
     float& u;
     float& v;
 
+    HWY_INLINE void offer(std::int32_t other, std::int32_t number, float t, float at_u,
+                          float at_v) const {
+        const bool is_lower = other < object || (other == object && number < primitive);
+        if (t < limit || (t == limit && is_lower)) {
+            limit = t;
+            object = other;
+            primitive = number;
+            u = at_u;
+            v = at_v;
+        }
+    }
+};
+
+/// A tree, and the number that its first object has among those of the scene.
+struct NumberedTree {
+    const TriangleTree& tree;
+    std::int32_t first_object = 0;
+};
+
+/// The nearest hit of one ray. Of the ray, t_max is not used.
+struct ClosestOfRay {
+    NumberedTree all;
+    Ray ray;
+    NearestOfRay nearest;
+
     HWY_INLINE bool operator()(std::uint32_t leaf, const SingleRay::Entry& entry) const {
-        if (stays_beyond(tree.slabs[leaf], ray, limit)) {
+        const TriangleTree& tree = all.tree;
+        if (stays_beyond(tree.slabs[leaf], ray, nearest.limit)) {
             return false;
         }
         using L = ChildLanes;
@@ -58,7 +89,7 @@ struct ClosestOfRay {
         for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
             const auto hit = test_block(tree.blocks[leaf], lane, ray);
             const auto distance = L::larger(hit.t, L::all(entry.enter));
-            const auto near = L::both(hit.valid, L::is_at_most(distance, L::all(limit)));
+            const auto near = L::both(hit.valid, L::is_at_most(distance, L::all(nearest.limit)));
             if (L::none(near)) {
                 continue;
             }
@@ -72,23 +103,11 @@ struct ClosestOfRay {
             hn::Store(hit.v, d, vs);
             for (unsigned left = bits[0]; left != 0; left &= left - 1) {
                 const int k = std::countr_zero(left);
-                offer(names.object.values[lane + k], names.number.values[lane + k], t[k], us[k],
-                      vs[k]);
+                nearest.offer(names.object.values[lane + k] + all.first_object,
+                              names.number.values[lane + k], t[k], us[k], vs[k]);
             }
         }
         return false;
-    }
-
-    HWY_INLINE void offer(std::int32_t other, std::int32_t number, float t, float at_u,
-                          float at_v) const {
-        const bool is_lower = other < object || (other == object && number < primitive);
-        if (t < limit || (t == limit && is_lower)) {
-            limit = t;
-            object = other;
-            primitive = number;
-            u = at_u;
-            v = at_v;
-        }
     }
 };
 
@@ -115,18 +134,17 @@ struct AnyOfRay {
     }
 };
 
+[[nodiscard]] HWY_INLINE Ray one_of(const PacketRays& rays, int i) {
+    Ray ray;
+    ray.origin = V3f(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
+    ray.direction = V3f(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
+    return ray;
+}
+
 /// What both queries of packets share.
 struct PacketQuery {
-    const TriangleTree& tree;
+    NumberedTree all;
     PacketRays& rays;
-
-    [[nodiscard]] HWY_INLINE Ray ray(int i) const {
-        Ray ray;
-        ray.origin = V3f(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
-        ray.direction = V3f(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
-        ray.t_min = rays.t_min;
-        return ray;
-    }
 
     /// Calls `offer(k, hit)` for each triangle of a leaf with the hits of all rays; the distances
     /// of rays that do not meet the leaf are infinite.
@@ -136,6 +154,7 @@ struct PacketQuery {
         using L = PacketLanes;
         using Vector = Vec3<L::Value>;
         const PacketTag d;
+        const TriangleTree& tree = all.tree;
         const auto load = [&](const float(&numbers)[3][kPacketLanes]) HWY_ATTR {
             return Vector{hn::Load(d, numbers[0]), hn::Load(d, numbers[1]),
                           hn::Load(d, numbers[2])};
@@ -155,9 +174,9 @@ struct PacketQuery {
                 return Vector{L::all(numbers[0].values[k]), L::all(numbers[1].values[k]),
                               L::all(numbers[2].values[k])};
             };
-            auto hit = test<L>(origin, direction,
-                               {in_all(block.corner), in_all(block.edge_b), in_all(block.edge_c)},
-                               rays.t_min);
+            auto hit =
+                test<L>(origin, direction,
+                        {in_all(block.corner), in_all(block.edge_b), in_all(block.edge_c)}, 0);
             hit.t = L::larger(hit.t, enter);
             offer(k, hit);
         }
@@ -168,6 +187,10 @@ struct alignas(64) PacketHits {
     std::int32_t object[kPacketLanes];
     std::int32_t primitive[kPacketLanes];
     float u[kPacketLanes], v[kPacketLanes];
+
+    [[nodiscard]] HWY_INLINE NearestOfRay of_one(int i, float& limit) {
+        return {limit, object[i], primitive[i], u[i], v[i]};
+    }
 };
 
 /// Nearest hits of a packet; distances are the rays' limits.
@@ -176,21 +199,20 @@ struct ClosestOfPacket : PacketQuery {
     PacketHits& hits;
 
     [[nodiscard]] HWY_INLINE ClosestOfRay of_one(int i) const {
-        return {tree,      ray(i),   rays.limit[i], hits.object[i], hits.primitive[i],
-                hits.u[i], hits.v[i]};
+        return {all, one_of(rays, i), hits.of_one(i, rays.limit[i])};
     }
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const PacketRays::Entry& entry) const {
         using L = PacketLanes;
         const PacketTag d;
         const L::IntTag di;
-        const TriangleNames& names = tree.names[leaf];
+        const TriangleNames& names = all.tree.names[leaf];
         test_leaf(leaf, entry, [&](int k, const kernels::HitIn<L>& hit) HWY_ATTR {
             const auto limit = hn::Load(d, rays.limit);
             if (L::none(L::both(hit.valid, L::is_at_most(hit.t, limit)))) {
                 return;
             }
-            const auto object = L::all_int(names.object.values[k]);
+            const auto object = L::all_int(names.object.values[k] + all.first_object);
             const auto number = L::all_int(names.number.values[k]);
             const auto old_object = hn::Load(di, hits.object);
             const auto old_number = hn::Load(di, hits.primitive);
@@ -212,7 +234,9 @@ struct ClosestOfPacket : PacketQuery {
 struct AnyOfPacket : PacketQuery {
     static constexpr Order kOrder = Order::any;
 
-    [[nodiscard]] HWY_INLINE AnyOfRay of_one(int i) const { return {tree, ray(i), rays.limit[i]}; }
+    [[nodiscard]] HWY_INLINE AnyOfRay of_one(int i) const {
+        return {all.tree, one_of(rays, i), rays.limit[i]};
+    }
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const PacketRays::Entry& entry) const {
         using L = PacketLanes;
@@ -229,3 +253,5 @@ struct AnyOfPacket : PacketQuery {
 
 }  // namespace carom::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

@@ -50,14 +50,13 @@ struct FastBox {
 constexpr int kBins = 32;     // at most
 constexpr int kFewBins = 16;  // for few items, where more bins cost more than they gain
 constexpr std::uint32_t kFewItems = 256;
-constexpr std::uint32_t kLargestLeaf = kBlockLanes;
 constexpr float kNodeCost = 1.5f;      // of one child's box, in tests of a full leaf; measured
 constexpr float kWideNodeCost = 1.0f;  // of the boxes of eight children
 constexpr int kDepthOfHeuristic = 40;  // below, items are halved: 2^32 items end at depth 72
 
-float vectors(std::uint32_t count) {
-    const std::uint32_t whole = (count + kBlockLanes - 1) / kBlockLanes;
-    return static_cast<float>(whole);
+/// How many full leaves are as much work as these items.
+float full_leaves(std::uint32_t count, std::uint32_t largest_leaf) {
+    return static_cast<float>((count + largest_leaf - 1) / largest_leaf);
 }
 
 /// A node of the intermediate binary tree.
@@ -116,7 +115,8 @@ struct Range {
 
 class BinaryBuilder {
   public:
-    explicit BinaryBuilder(std::span<const MovingBounds> items) : items_(items) {
+    BinaryBuilder(std::span<const MovingBounds> items, std::uint32_t largest_leaf)
+        : items_(items), largest_leaf_(largest_leaf) {
         order.resize(items.size());
         std::iota(order.begin(), order.end(), 0u);
         to_right_.resize(items.size());
@@ -169,7 +169,7 @@ class BinaryBuilder {
         const BinMap bin_of(range.centres, range.count);
         const std::optional<Split> best =
             depth < kDepthOfHeuristic ? best_split(range, area, bin_of) : std::nullopt;
-        const bool fits = range.count <= kLargestLeaf;
+        const bool fits = range.count <= largest_leaf_;
         if (fits && (!best || best->cost >= area)) {
             return std::nullopt;
         }
@@ -227,15 +227,15 @@ class BinaryBuilder {
         return best;
     }
 
-    static void offer_splits(std::span<const Bin> bins, std::uint32_t all, float area, int axis,
-                             std::optional<Split>& best) {
+    void offer_splits(std::span<const Bin> bins, std::uint32_t all, float area, int axis,
+                      std::optional<Split>& best) const {
         std::array<float, kBins> right_cost{};
         FastBox box;
         std::uint32_t count = 0;
         for (std::size_t i = bins.size() - 1; i > 0; --i) {
             box.extend(bins[i].box);
             count += bins[i].count;
-            right_cost[i] = count > 0 ? box.half_area() * vectors(count) : 0;
+            right_cost[i] = count > 0 ? box.half_area() * leaves(count) : 0;
         }
         box = {};
         count = 0;
@@ -245,14 +245,19 @@ class BinaryBuilder {
             if (count == 0 || count == all) {
                 continue;
             }
-            const float cost = kNodeCost * area + box.half_area() * vectors(count) + right_cost[i];
+            const float cost = kNodeCost * area + box.half_area() * leaves(count) + right_cost[i];
             if (!best || cost < best->cost) {
                 best = Split{axis, static_cast<int>(i), cost};
             }
         }
     }
 
+    [[nodiscard]] float leaves(std::uint32_t count) const {
+        return full_leaves(count, largest_leaf_);
+    }
+
     std::span<const MovingBounds> items_;
+    std::uint32_t largest_leaf_;
     std::vector<FastBox> middles_;
     std::vector<std::uint32_t> to_right_;
 };
@@ -263,12 +268,13 @@ class BinaryBuilder {
 /// that together contain everything below it.
 class Forests {
   public:
-    explicit Forests(const std::vector<BinaryNode>& binary) : forests_(binary.size()) {
+    Forests(const std::vector<BinaryNode>& binary, std::uint32_t largest_leaf)
+        : forests_(binary.size()) {
         // In reverse order, because children come after their parents.
         for (std::size_t i = binary.size(); i-- > 0;) {
             const BinaryNode& node = binary[i];
             if (node.is_leaf()) {
-                forests_[i].cost.fill(node.area * vectors(node.count));
+                forests_[i].cost.fill(node.area * full_leaves(node.count, largest_leaf));
                 continue;
             }
             Forest& forest = forests_[i];
@@ -334,7 +340,8 @@ class Forests {
 /// Collapses up to eight binary nodes at a time into one wide node.
 class Collapser {
   public:
-    explicit Collapser(const std::vector<BinaryNode>& binary) : binary_(binary), forests_(binary) {
+    Collapser(const std::vector<BinaryNode>& binary, std::uint32_t largest_leaf)
+        : binary_(binary), forests_(binary, largest_leaf) {
         if (binary_.front().is_leaf()) {
             const std::uint32_t root = add_node();
             put(root, 0, binary_.front());
@@ -398,13 +405,13 @@ bool moves(const MovingBounds& item) {
 
 }  // namespace
 
-WideTree build_wide_tree(std::span<const MovingBounds> items) {
+WideTree build_wide_tree(std::span<const MovingBounds> items, std::uint32_t largest_leaf) {
     if (items.empty()) {
         return {};
     }
     CAROM_ASSERT(items.size() < (std::size_t{1} << 31));
-    BinaryBuilder binary(items);
-    WideTree tree = std::move(Collapser(binary.nodes).tree);
+    BinaryBuilder binary(items, largest_leaf);
+    WideTree tree = std::move(Collapser(binary.nodes, largest_leaf).tree);
     tree.order = std::move(binary.order);
     tree.nodes = LargeVector<WideNode>(tree.nodes);  // without unused capacity
     if (std::none_of(items.begin(), items.end(), moves)) {

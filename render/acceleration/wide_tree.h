@@ -53,8 +53,9 @@ inline constexpr int kWideTreeDepth = 80;
 /// Built with the surface area heuristic on the boxes at the middle of the shutter, with 32 bins
 /// per axis (16 for few items) (MacDonald and Booth 1990; Wald 2007, "On fast construction of
 /// SAH-based bounding volume hierarchies"). The cost of a leaf is the number of vectors of eight
-/// that it fills (Wald, Benthin and Boulos 2008, "Getting rid of packets"). The same items give the
-/// same tree.
-[[nodiscard]] WideTree build_wide_tree(std::span<const MovingBounds> items);
+/// that it fills (Wald, Benthin and Boulos 2008, "Getting rid of packets"); with smaller leaves, of
+/// as many items. The same items give the same tree.
+[[nodiscard]] WideTree build_wide_tree(std::span<const MovingBounds> items,
+                                       std::uint32_t largest_leaf = kBlockLanes);
 
 }  // namespace carom::render

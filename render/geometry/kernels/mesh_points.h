@@ -12,34 +12,74 @@ CAROM_KERNEL Vec2Of<L> two_at(const float* numbers, IntOf<L> index) {
     return {both.first, both.second};
 }
 
-/// Where a ray hits a mesh, in the mesh's own axes, from the triangle's number and the weights of
-/// its second and third corner. `needs_uv`: otherwise uv and its lengths are 0. `object_position`
-/// is left to the caller.
+/// The number of the triangle that a ray hits, and the weights of its second and third corner.
 template <class L>
-CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, IntOf<L> triangle,
-                                             ValueOf<L> u, ValueOf<L> v, bool needs_uv) {
+struct MeshHitOf {
+    IntOf<L> triangle;
+    ValueOf<L> u, v;
+};
+
+/// Where a mesh is that has axes of its own.
+template <class L>
+struct MeshPlaceOf {
+    AffineOf<L> body_from_mesh, mesh_from_body;
+
+    /// A normal of any length, of unit length in the axes of the body; 0 remains 0.
+    [[nodiscard]] CAROM_KERNEL Vec3Of<L> normal(const Vec3Of<L>& of_mesh) const {
+        const Vec3Of<L> n = mesh_from_body.inverse_normal(of_mesh);
+        const auto length2 = dot(n, n);
+        const auto one = L::all(1);
+        return n * (one / L::root(L::select(L::is_less(L::all(0), length2), length2, one)));
+    }
+    /// 1, or -1 if the map mirrors.
+    [[nodiscard]] CAROM_KERNEL ValueOf<L> side() const {
+        const Vec3Of<L>(&rows)[3] = body_from_mesh.rows;
+        return L::flip_sign(L::all(1), dot(cross(rows[0], rows[1]), rows[2]));
+    }
+};
+
+/// Where a ray hits a mesh, in the axes of the body. `place`: null if these are the mesh's own.
+/// `needs_uv`: otherwise uv and its lengths are 0. `object_position` is left to the caller.
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, const MeshHitOf<L>& hit,
+                                             const MeshPlaceOf<L>* place, bool needs_uv) {
     using V = ValueOf<L>;
+    const V u = hit.u;
+    const V v = hit.v;
     const V zero = L::all(0);
     const V one = L::all(1);
-    const auto first = triangle + triangle + triangle;
+    const auto first = hit.triangle + hit.triangle + hit.triangle;
     const auto twofold = first + first;
     const auto corners = L::gather_bytes_pair(mesh.triangles.data(), twofold + twofold);
     const auto index_a = L::from_word(corners.first);
     const auto index_b = L::from_word(corners.second);
     const auto index_c = L::gather_int(mesh.triangles.data(), first + L::all_int(2));
-    const Vec3<V> a = three_at<L>(mesh.vertices.data(), index_a);
-    const Vec3<V> edge_b = three_at<L>(mesh.vertices.data(), index_b) - a;
-    const Vec3<V> edge_c = three_at<L>(mesh.vertices.data(), index_c) - a;
+    Vec3<V> a = three_at<L>(mesh.vertices.data(), index_a);
+    Vec3<V> edge_b = three_at<L>(mesh.vertices.data(), index_b) - a;
+    Vec3<V> edge_c = three_at<L>(mesh.vertices.data(), index_c) - a;
+    V side = one;
+    if (place != nullptr) {
+        a = place->body_from_mesh.point(a);
+        edge_b = place->body_from_mesh.vector(edge_b);
+        edge_c = place->body_from_mesh.vector(edge_c);
+        side = place->side();
+    }
     const V w = one - u - v;
     SurfacePointOf<L> point;
     point.position = a + edge_b * u + edge_c * v;
-    const Vec3<V> across = cross(edge_b, edge_c);
+    const Vec3<V> across = cross(edge_b, edge_c) * side;
     point.geometric_normal = unit<L>(across);
     point.shading_normal = point.geometric_normal;
     if (mesh.normals.exists()) {
-        const Vec3<V> mixed = three_at<L>(mesh.normals.data(), index_a) * w +
-                              three_at<L>(mesh.normals.data(), index_b) * u +
-                              three_at<L>(mesh.normals.data(), index_c) * v;
+        const auto normal_at = [&](IntOf<L> index) CAROM_KERNEL_ATTRIBUTE {
+            Vec3<V> normal = three_at<L>(mesh.normals.data(), index);
+            if (place != nullptr) {
+                normal = place->normal(normal);
+            }
+            return normal;
+        };
+        const Vec3<V> mixed =
+            normal_at(index_a) * w + normal_at(index_b) * u + normal_at(index_c) * v;
         const V length2 = dot(mixed, mixed);
         const V cosine = dot(mixed, point.geometric_normal);
         const auto exists =

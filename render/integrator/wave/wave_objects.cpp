@@ -57,8 +57,7 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     group.needs_uv = texture == TextureKind::image;
     if (group.kind == WaveGroup::Kind::mesh) {
         group.mesh = arrays_of(*object.mesh);
-        group.metres_from_world = object.metres_from_world;
-        group.bounding_radius = object.bounding_radius;
+        group.mesh_is_mapped = object.mesh_is_mapped;
     }
     return group;
 }

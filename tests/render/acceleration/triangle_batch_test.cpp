@@ -1,7 +1,10 @@
 // Batches of rays against a tree of triangles: the same bits as for single rays, by brute force,
 // and on every instruction set.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <set>
@@ -11,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
+#include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/triangle_scene.h"
 #include "render/triangle/moller_trumbore.h"
 #include "tests/render/acceleration/owned_batch.h"
@@ -218,6 +222,35 @@ TEST(TriangleBatch, EveryInstructionSet_SameBits) {
         EXPECT_TRUE(ask(TriangleScene(meshes.entries), rays) == expected);
     });
     EXPECT_GE(kernels.size(), 2u);
+}
+
+TEST(InstanceBatch, EveryInstructionSet_SameBits) {
+    TestRandom random(12);
+    test::RandomScene scene;
+    scene.add_instances(random, 40);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 5'000; ++i) {
+        rays.push_back(test::random_ray_toward(random, 3, 2));
+    }
+    OwnedBatch batch(rays);
+    const auto bits = [&] {
+        std::vector<Hit> hits(rays.size());
+        HybridStructure(scene.shapes).closest_hits(batch.rays(), hits.data());
+        std::vector<std::array<float, 5>> numbers;
+        for (const Hit& hit : hits) {
+            numbers.push_back({hit.t, std::bit_cast<float>(hit.object),
+                               std::bit_cast<float>(hit.primitive), hit.u, hit.v});
+        }
+        return numbers;
+    };
+    const auto expected = bits();
+    EXPECT_GT(std::count_if(expected.begin(), expected.end(),
+                            [](const auto& hit) { return hit[0] < kInfinity; }),
+              500);
+    for_every_target([&] {
+        const auto now = bits();
+        EXPECT_EQ(std::memcmp(now.data(), expected.data(), now.size() * sizeof(now[0])), 0);
+    });
 }
 
 TEST(TriangleBatch, ManyRays_AgreeWithALoopOverTriangles) {

@@ -155,7 +155,8 @@ CAROM_KERNEL void hit_shapes(const Scene& scene, const RayOf<L>& ray, const Vec3
     const auto moving = pose_at<L>(scene.motion, profile.x).in_body(ray);
     sum.add(moving.origin);
     sum.add(moving.direction);
-    const auto on_mesh = point_on_mesh<L>(scene.mesh, 7, profile.x, profile.y, true);
+    const auto on_mesh =
+        point_on_mesh<L>(scene.mesh, MeshHitOf<L>{7, profile.x, profile.y}, nullptr, true);
     sum.add(on_mesh.position);
     sum.add(on_mesh.shading_normal);
     sum.add(on_mesh.uv);

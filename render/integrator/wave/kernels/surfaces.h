@@ -108,10 +108,18 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const SurfaceTask& task, const Wave
     };
     const auto u = L::from_bits(field(offsetof(Hit, u)));
     const auto v = L::from_bits(field(offsetof(Hit, v)));
-    SurfacePointOf<L> point = point_on_mesh<L>(task.group.mesh, field(offsetof(Hit, primitive)), u,
-                                               v, task.group.needs_uv);
-    if (task.group.has_texture) {
-        point.object_position = affine_of<L>(task.group.metres_from_world).point(point.position);
+    const MeshHitOf<L> on_mesh{field(offsetof(Hit, primitive)), u, v};
+    const WaveGroup& group = task.group;
+    SurfacePointOf<L> point;
+    if (group.mesh_is_mapped) {
+        const MeshPlaceOf<L> place{gather_map<L>(hit, task, kWorldFromUnit),
+                                   gather_map<L>(hit, task, kUnitFromWorld)};
+        point = point_on_mesh<L>(group.mesh, on_mesh, &place, group.needs_uv);
+    } else {
+        point = point_on_mesh<L>(group.mesh, on_mesh, nullptr, group.needs_uv);
+    }
+    if (group.has_texture) {
+        point.object_position = gather_map<L>(hit, task, kMetresFromWorld).point(point.position);
     }
     return point;
 }
@@ -170,9 +178,7 @@ CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
     const ResolvedOf<L> surface =
         resolve_surface<L>(task.scene.textures[group.material], group.bump, textured,
                            point.shading_normal, wo, width / L::root(cosine));
-    const auto radius = group.kind == WaveGroup::Kind::mesh
-                            ? L::all(group.bounding_radius)
-                            : gather<L>(task.scene.shapes, kBoundingRadius, hit.object);
+    const auto radius = gather<L>(task.scene.shapes, kBoundingRadius, hit.object);
     store<L>(point.position, vertices.position, first);
     store<L>(surface.geometric_normal, vertices.geometric_normal, first);
     store<L>(surface.normal, vertices.normal, first);
