@@ -55,21 +55,16 @@ struct Noted {
 template <class Found>
 bool test_leaf(const TriangleTree& tree, std::uint32_t leaf, const Ray& ray, float enter,
                const Found& found) {
-    using L = ScalarLanes<float>;
-    namespace kernels = triangle::scalar;
     const TriangleBlock& block = tree.blocks[leaf];
     const TriangleNames& names = tree.names[leaf];
-    const auto at = [](const FloatLanes(&lanes)[3], std::size_t k) {
-        return V3f(lanes[0].values[k], lanes[1].values[k], lanes[2].values[k]);
-    };
-    const kernels::RayIn<L> ray_in{ray.origin, ray.direction, ray.t_min, kInfinity};
-    for (std::size_t k = 0; k < kBlockLanes && names.object.values[k] >= 0; ++k) {
-        const auto hit = kernels::MollerTrumbore::intersect<triangle::Division::early>(
-            ray_in, kernels::MollerTrumbore::Record<L>{at(block.corner, k), at(block.edge_b, k),
-                                                       at(block.edge_c, k)});
-        if (hit.valid &&
-            found(Hit{std::max(hit.t, enter), static_cast<std::uint32_t>(names.object.values[k]),
-                      static_cast<std::uint32_t>(names.number.values[k]), hit.u, hit.v})) {
+    Ray whole = ray;
+    whole.t_max = kInfinity;
+    for (int k = 0; k < kBlockLanes && names.object.values[k] >= 0; ++k) {
+        const auto hit =
+            triangle_hit(whole, block.corner(0, k), block.corner(1, k), block.corner(2, k));
+        if (hit &&
+            found(Hit{std::max(hit->t, enter), static_cast<std::uint32_t>(names.object.values[k]),
+                      static_cast<std::uint32_t>(names.number.values[k]), hit->u, hit->v})) {
             return true;
         }
     }

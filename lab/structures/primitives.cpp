@@ -88,7 +88,7 @@ bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const
     }
     if (shape.shape == Primitive::kMeshTriangle) {
         const auto [a, b, c] = corners(shape);
-        const auto found = moller_trumbore(ray, a, b, c);
+        const auto found = triangle_hit(ray, a, b, c);
         if (found) {
             hit = {found->t, shape.object, shape.number, found->u, found->v};
         }

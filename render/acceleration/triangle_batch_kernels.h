@@ -21,7 +21,7 @@ struct HitArrays {
 };
 
 /// A ray's answer depends on nothing but the ray and the tree: not on other rays of the batch, and
-/// not on the instruction set. Triangles are tested by moller_trumbore.h. A distance less than that
+/// not on the instruction set. Triangles are tested by triangle_hit(). A distance less than that
 /// at which the ray enters the box of the triangle's leaf is replaced by the latter, so that the
 /// order in which boxes are visited cannot matter. Tree: TriangleTree or InstanceTree.
 template <class Tree>

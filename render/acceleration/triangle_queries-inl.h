@@ -7,27 +7,61 @@
 #endif
 
 #include <algorithm>
+#include <optional>
 
 #include "render/acceleration/tree_traversal-inl.h"
 #include "render/acceleration/triangle_tree.h"
 #include "render/triangle/moller_trumbore-inl.h"
+#include "render/triangle/moller_trumbore.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 namespace kernels = triangle::HWY_NAMESPACE;
 
+/// Tests rays with triangles, one of both in each lane, so that no ray passes between triangles
+/// with a common edge. `exact(lane)` answers as triangle_hit() where that is in doubt.
+template <class L, class Exact>
+HWY_INLINE kernels::HitIn<L> test(const RayOf<L>& ray, ValueOf<L> t_min,
+                                  const kernels::Corners<L>& corners, ValueOf<L> error,
+                                  const Exact& exact) {
+    auto [hit, is_doubtful] = kernels::sure_hit<L>(
+        kernels::RayIn<L>{ray.origin, ray.direction, t_min, L::all(kInfinity)}, corners, error);
+    if (HWY_UNLIKELY(!L::none(is_doubtful))) {
+        alignas(64) float doubts[16], t[16], u[16], v[16], is_hit[16];
+        L::store(L::select(is_doubtful, L::all(1), L::all(0)), doubts);
+        L::store(hit.t, t);
+        L::store(hit.u, u);
+        L::store(hit.v, v);
+        L::store(L::select(hit.valid, L::all(1), L::all(0)), is_hit);
+        for (int lane = 0; lane < L::count(); ++lane) {
+            if (doubts[lane] == 0) {
+                continue;
+            }
+            if (const std::optional<TriangleHit> found = exact(lane)) {
+                t[lane] = found->t;
+                u[lane] = found->u;
+                v[lane] = found->v;
+                is_hit[lane] = 1;
+            }
+        }
+        hit = {L::load(t), L::load(u), L::load(v), L::is_less(L::all(0), L::load(is_hit))};
+    }
+    return hit;
+}
+
+/// The error of test() for all triangles of a leaf: at least that of triangle_hit() for each.
 template <class L>
-HWY_INLINE kernels::HitIn<L> test(const Vec3Of<L>& origin, const Vec3Of<L>& direction,
-                                  const kernels::MollerTrumbore::Record<L>& triangles,
-                                  float t_min) {
-    return kernels::MollerTrumbore::intersect<triangle::Division::early>(
-        kernels::RayIn<L>{origin, direction, L::all(t_min), L::all(kInfinity)}, triangles);
+HWY_INLINE ValueOf<L> doubt_in(const LeafSlab& slab, const RayOf<L>& ray) {
+    constexpr float kRounding = 1.0001f;
+    const Vec3Of<L>& o = ray.origin;
+    const auto way = L::size(o.x) + L::size(o.y) + L::size(o.z) + L::all(3 * slab.size);
+    return kernels::doubt<L>(ray.direction, L::all(kRounding * slab.edge), way);
 }
 
 /// The triangles of a leaf, from `lane` on, for one ray.
 HWY_INLINE kernels::HitIn<ChildLanes> test_block(const TriangleBlock& block, int lane,
-                                                 const Ray& ray) {
+                                                 const Ray& ray, float error) {
     using L = ChildLanes;
     const auto load = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
         const ChildTag d;
@@ -35,8 +69,18 @@ HWY_INLINE kernels::HitIn<ChildLanes> test_block(const TriangleBlock& block, int
                               hn::Load(d, numbers[1].values + lane),
                               hn::Load(d, numbers[2].values + lane)};
     };
-    return test<L>(all_of<L>(ray.origin), all_of<L>(ray.direction),
-                   {load(block.corner), load(block.edge_b), load(block.edge_c)}, ray.t_min);
+    return test<L>({all_of<L>(ray.origin), all_of<L>(ray.direction)}, L::all(ray.t_min),
+                   {load(block.corners[0]), load(block.corners[1]), load(block.corners[2])},
+                   L::all(error), [&](int k) {
+                       Ray whole = ray;
+                       whole.t_max = kInfinity;
+                       return triangle_hit(whole, block.corner(0, lane + k),
+                                           block.corner(1, lane + k), block.corner(2, lane + k));
+                   });
+}
+HWY_INLINE float doubt_in(const LeafSlab& slab, const Ray& ray) {
+    using L = ScalarLanes<float>;
+    return doubt_in<L>(slab, {all_of<L>(ray.origin), all_of<L>(ray.direction)});
 }
 
 /// Whether no triangle of a leaf can be hit before `limit`.
@@ -86,8 +130,9 @@ struct ClosestOfRay {
         using L = ChildLanes;
         const ChildTag d;
         const TriangleNames& names = tree.names[leaf];
+        const float error = doubt_in(tree.slabs[leaf], ray);
         for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
-            const auto hit = test_block(tree.blocks[leaf], lane, ray);
+            const auto hit = test_block(tree.blocks[leaf], lane, ray, error);
             const auto distance = L::larger(hit.t, L::all(entry.enter));
             const auto near = L::both(hit.valid, L::is_at_most(distance, L::all(nearest.limit)));
             if (L::none(near)) {
@@ -122,8 +167,9 @@ struct AnyOfRay {
             return false;
         }
         using L = ChildLanes;
+        const float error = doubt_in(tree.slabs[leaf], ray);
         for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
-            const auto hit = test_block(tree.blocks[leaf], lane, ray);
+            const auto hit = test_block(tree.blocks[leaf], lane, ray, error);
             const auto distance = L::larger(hit.t, L::all(entry.enter));
             if (!L::none(L::both(hit.valid, L::is_less(distance, L::all(limit))))) {
                 limit = -1;
@@ -159,24 +205,28 @@ struct PacketQuery {
             return Vector{hn::Load(d, numbers[0]), hn::Load(d, numbers[1]),
                           hn::Load(d, numbers[2])};
         };
-        const Vector origin = load(rays.origin);
-        const Vector direction = load(rays.direction);
+        const RayOf<L> line{load(rays.origin), load(rays.direction)};
         const auto gone =
-            stay_beyond<L>(tree.slabs[leaf], origin, direction, hn::Load(d, rays.limit));
+            stay_beyond<L>(tree.slabs[leaf], line.origin, line.direction, hn::Load(d, rays.limit));
         const auto meets = L::without(rays.active(entry), gone);
         if (L::none(meets)) {
             return;
         }
         const auto enter = L::select(meets, hn::Load(d, entry.enter), L::all(kInfinity));
         const TriangleBlock& block = tree.blocks[leaf];
+        const auto error = doubt_in<L>(tree.slabs[leaf], line);
         for (int k = 0; k < kBlockLanes && tree.names[leaf].object.values[k] >= 0; ++k) {
             const auto in_all = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
                 return Vector{L::all(numbers[0].values[k]), L::all(numbers[1].values[k]),
                               L::all(numbers[2].values[k])};
             };
-            auto hit =
-                test<L>(origin, direction,
-                        {in_all(block.corner), in_all(block.edge_b), in_all(block.edge_c)}, 0);
+            auto hit = test<L>(
+                line, L::all(0),
+                {in_all(block.corners[0]), in_all(block.corners[1]), in_all(block.corners[2])},
+                error, [&](int lane) {
+                    return triangle_hit(one_of(rays, lane), block.corner(0, k), block.corner(1, k),
+                                        block.corner(2, k));
+                });
             hit.t = L::larger(hit.t, enter);
             offer(k, hit);
         }

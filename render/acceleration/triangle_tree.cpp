@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "render/geometry/ray.h"
 
@@ -24,25 +25,37 @@ float enlargement(const V3f& edge_b, const V3f& edge_c) {
     return area > 0 ? edge_b.length() * edge_c.length() / area : 1.f;
 }
 
-/// The slab of the first `count` triangles of a block, along the mean of their normals.
-LeafSlab slab_of(const TriangleBlock& block, std::uint32_t count) {
-    const auto vector = [](const FloatLanes(&lanes)[3], std::uint32_t lane) {
-        return V3f(lanes[0].values[lane], lanes[1].values[lane], lanes[2].values[lane]);
-    };
+/// The sum of the sizes of coordinates.
+float size_of(const V3f& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+using Corners = std::array<V3f, 3>;
+
+bool has_area(const Corners& corners) {
+    const Vec3 a(corners[0]);
+    return (Vec3(corners[1]) - a).cross(Vec3(corners[2]) - a) != Vec3(0, 0, 0);
+}
+
+/// The slab of a leaf's triangles, along the mean of their normals.
+LeafSlab slab_of(std::span<const Corners> triangles) {
     V3f sum(0, 0, 0);
-    for (std::uint32_t lane = 0; lane < count; ++lane) {
-        const V3f normal = vector(block.edge_b, lane) % vector(block.edge_c, lane);
+    for (const auto& [a, b, c] : triangles) {
+        const V3f normal = (b - a) % (c - a);
         sum += sum.dot(normal) < 0 ? -normal : normal;
     }
-    LeafSlab slab{sum.length() > 0 ? sum.normalized() : V3f(0, 0, 1), kInfinity, -kInfinity, 0,
-                  kHitRounding};
-    for (std::uint32_t lane = 0; lane < count; ++lane) {
-        const V3f a = vector(block.corner, lane);
-        slab.rounding = std::max(
-            slab.rounding,
-            kHitRounding * enlargement(vector(block.edge_b, lane), vector(block.edge_c, lane)));
-        for (const V3f& corner :
-             {a, a + vector(block.edge_b, lane), a + vector(block.edge_c, lane)}) {
+    LeafSlab slab{sum.length() > 0 ? sum.normalized() : V3f(0, 0, 1),
+                  kInfinity,
+                  -kInfinity,
+                  0,
+                  kHitRounding,
+                  0};
+    for (const Corners& corners : triangles) {
+        const V3f edge_b = corners[1] - corners[0];
+        const V3f edge_c = corners[2] - corners[0];
+        slab.rounding = std::max(slab.rounding, kHitRounding * enlargement(edge_b, edge_c));
+        slab.edge = std::max({slab.edge, size_of(edge_b), size_of(edge_c)});
+        for (const V3f& corner : corners) {
             const float height = slab.normal.dot(corner);
             slab.low = std::min(slab.low, height);
             slab.high = std::max(slab.high, height);
@@ -147,21 +160,26 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
     result.names.reserve(result.tree.leaves.size());
     for (const WideLeaf& leaf : result.tree.leaves) {
         TriangleBlock block;
+        for (FloatLanes(&axes)[3] : block.corners) {
+            for (FloatLanes& lanes : axes) {
+                std::fill_n(lanes.values, kBlockLanes, std::numeric_limits<float>::quiet_NaN());
+            }
+        }
         TriangleNames names;
+        std::vector<Corners> triangles;
         for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
             const Place& place = places[result.tree.order[leaf.first + lane]];
-            const V3f a = corner(place, 0);
-            const V3f b = corner(place, 1) - a;
-            const V3f c = corner(place, 2) - a;
-            for (int axis = 0; axis < 3; ++axis) {
-                block.corner[axis].values[lane] = a[axis];
-                block.edge_b[axis].values[lane] = b[axis];
-                block.edge_c[axis].values[lane] = c[axis];
+            const Corners corners{corner(place, 0), corner(place, 1), corner(place, 2)};
+            for (std::size_t k = 0; k < 3 && has_area(corners); ++k) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    block.corners[k][axis].values[lane] = corners[k][axis];
+                }
             }
+            triangles.push_back(corners);
             names.object.values[lane] = static_cast<std::int32_t>(meshes[place.mesh].object);
             names.number.values[lane] = static_cast<std::int32_t>(place.number);
         }
-        result.slabs.push_back(slab_of(block, leaf.count));
+        result.slabs.push_back(slab_of(triangles));
         result.blocks.push_back(block);
         result.names.push_back(names);
     }

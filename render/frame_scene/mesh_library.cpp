@@ -12,8 +12,7 @@
 namespace carom::render {
 namespace {
 
-/// Mapped copies of a mesh may have this many triangles: 8 MB of memory, twice that while their tree
-/// is built.
+/// Mapped copies of a mesh may have this many triangles: 8 MB of memory.
 constexpr std::size_t kMostCopied = std::size_t{1} << 16;
 
 Hash128 hash_of(const MeshShape& shape) {
