@@ -2,6 +2,7 @@
 // rays. Before timing, both are checked for the same hits.
 //
 //   ray_bench --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -14,8 +15,10 @@
 #include "render/acceleration/flush_denormals.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/triangle_scene.h"
+#include "render/acceleration/wide_tree.h"
 #include "render/camera/thin_lens_camera.h"
 #include "render/sampling/sampler.h"
+#include "render/threads/thread_arena.h"
 #include "tests/render/acceleration/owned_batch.h"
 
 namespace carom::bench {
@@ -193,6 +196,21 @@ void equal_meshes(benchmark::State& state, Equal equal) {
     state.counters["structure_MB"] = static_cast<double>(structure.bytes()) / 1e6;
 }
 
+/// A tree over many boxes.
+void build_tree(benchmark::State& state, int threads) {
+    std::vector<MovingBounds> boxes;
+    for (int i = 0; i < 500'000; ++i) {
+        const V3f low(std::sin(1.3f * static_cast<float>(i)),
+                      std::sin(2.1f * static_cast<float>(i)),
+                      std::cos(3.7f * static_cast<float>(i)));
+        boxes.push_back({{low, low + V3f(0.01f)}, {low, low + V3f(0.01f)}});
+    }
+    ThreadArena arena(threads);
+    for (auto _ : state) {
+        arena.execute([&] { benchmark::DoNotOptimize(build_wide_tree(boxes).nodes.data()); });
+    }
+}
+
 void register_all() {
     const struct {
         const char* name;
@@ -227,6 +245,11 @@ void register_all() {
                                      [=](benchmark::State& state) { camera_rays(state, moving); });
     }
     benchmark::RegisterBenchmark("next_4d", next_4d);
+    for (const int threads : {1, 0}) {
+        benchmark::RegisterBenchmark(threads == 1 ? "build_tree/one_thread" : "build_tree/all",
+                                     [=](benchmark::State& state) { build_tree(state, threads); })
+            ->UseRealTime();
+    }
     const std::pair<const char*, Equal> equals[] = {
         {"copied", Equal::copied}, {"at_rest", Equal::at_rest}, {"moving", Equal::moving}};
     for (const auto& [name, equal] : equals) {
