@@ -38,6 +38,52 @@ struct MeshPlaceOf {
     }
 };
 
+/// Sets the normal of the surface that three corners' normals describe, and where it is. Normals
+/// that are zero are missing; those that point to the back of the triangle count as far as they run
+/// along it, unless their mean does: then the mesh is inside out. `corners`: relative to the first;
+/// `weights` of the corners at the point.
+///
+/// Rays that start at the flat triangle are stopped by its neighbours where the curved surface
+/// would see the light: a saw-tooth edge between light and shadow. Each normal stands for the plane
+/// on which it is upright in its corner; the surface rises to the mean of the point's projections
+/// on these planes (Hanika 2021, "Hacking the shadow terminator", Ray Tracing Gems II, ch. 4), at
+/// most by a quarter of the triangle's size. (Chiang, Li and Burley 2019, "Taming the shadow
+/// terminator", darken the light instead, so that the triangles stay visible.)
+template <class L>
+CAROM_KERNEL void set_smooth_normal(Vec3Of<L> (&normals)[3], const Vec3Of<L> (&corners)[3],
+                                    const ValueOf<L> (&weights)[3], ValueOf<L> area,
+                                    SurfacePointOf<L>& point) {
+    const auto zero = L::all(0);
+    const auto one = L::all(1);
+    const Vec3Of<L>& flat = point.geometric_normal;
+    const auto mean =
+        dot(normals[0] * weights[0] + normals[1] * weights[1] + normals[2] * weights[2], flat);
+    const auto front = L::flip_sign(one, mean);
+    Vec3Of<L> mixed{zero, zero, zero};
+    for (int k = 0; k < 3; ++k) {
+        const auto height = dot(normals[k], flat) * front;
+        const auto behind = L::smaller(height, zero);
+        normals[k] = normals[k] * front - flat * behind;
+        mixed = mixed + normals[k] * weights[k];
+    }
+    const auto length2 = dot(mixed, mixed);
+    const auto exists =
+        L::both(L::is_less(L::all(1e-12f), length2), L::is_less(zero, dot(mixed, flat)));
+    point.shading_normal =
+        select<L>(exists, mixed * (one / L::root(L::select(exists, length2, one))), flat);
+    const Vec3Of<L> place =
+        corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
+    for (int k = 0; k < 3; ++k) {
+        const auto above = dot(place - corners[k], normals[k]);
+        const auto slope = dot(normals[k], flat) * weights[k];
+        point.rise = point.rise + L::larger(L::opposite_sign(above), zero) * slope;
+        point.fall = point.fall + L::larger(above, zero) * slope;
+    }
+    const auto most = L::root(area) * L::all(0.25f);
+    point.rise = L::select(exists, L::smaller(point.rise, most), zero);
+    point.fall = L::select(exists, L::smaller(point.fall, most), zero);
+}
+
 /// Where a ray hits a mesh, in the axes of the body. `place`: null if these are the mesh's own.
 /// `needs_uv`: otherwise uv and its lengths are 0. `object_position` is left to the caller.
 template <class L>
@@ -70,6 +116,7 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, const MeshH
     const Vec3<V> across = cross(edge_b, edge_c) * side;
     point.geometric_normal = unit<L>(across);
     point.shading_normal = point.geometric_normal;
+    point.rise = point.fall = zero;
     if (mesh.normals.exists()) {
         const auto normal_at = [&](IntOf<L> index) CAROM_KERNEL_ATTRIBUTE {
             Vec3<V> normal = three_at<L>(mesh.normals.data(), index);
@@ -78,14 +125,9 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, const MeshH
             }
             return normal;
         };
-        const Vec3<V> mixed =
-            normal_at(index_a) * w + normal_at(index_b) * u + normal_at(index_c) * v;
-        const V length2 = dot(mixed, mixed);
-        const V cosine = dot(mixed, point.geometric_normal);
-        const auto exists =
-            L::both(L::is_less(L::all(1e-12f), length2), L::opposite(L::is_equal(cosine, zero)));
-        const V scale = L::flip_sign(one, cosine) / L::root(L::select(exists, length2, one));
-        point.shading_normal = select<L>(exists, mixed * scale, point.geometric_normal);
+        Vec3<V> normals[3] = {normal_at(index_a), normal_at(index_b), normal_at(index_c)};
+        const Vec3<V> edges[3] = {{zero, zero, zero}, edge_b, edge_c};
+        set_smooth_normal<L>(normals, edges, {w, u, v}, L::root(dot(across, across)), point);
     }
     clear_texture_place<L>(point);
     if (!needs_uv) {

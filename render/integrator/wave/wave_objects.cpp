@@ -58,6 +58,9 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     if (group.kind == WaveGroup::Kind::mesh) {
         group.mesh = arrays_of(*object.mesh);
         group.mesh_is_mapped = object.mesh_is_mapped;
+        // Through glass rays start on both sides, and light of a surface comes from its triangles.
+        group.is_curved =
+            !object.mesh->normals.empty() && !material.is_transmissive() && !material.is_emissive();
     }
     return group;
 }

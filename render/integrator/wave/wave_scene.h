@@ -72,6 +72,7 @@ struct WaveGroup {
     bool needs_uv = false;
     MeshArrays mesh;
     bool mesh_is_mapped = false;  // from axes of its own
+    bool is_curved = false;       // rays start at the surface that the mesh's normals describe
 
     template <class Visit>
     void each_list(const Visit& visit) {
