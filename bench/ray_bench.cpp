@@ -2,6 +2,7 @@
 // rays. Before timing, both are checked for the same hits.
 //
 //   ray_bench --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -12,8 +13,13 @@
 #include "bench/ray_scene.h"
 #include "lab/structures/make_structure.h"
 #include "render/acceleration/flush_denormals.h"
+#include "render/acceleration/hybrid_structure.h"
+#include "render/acceleration/triangle_scene.h"
+#include "render/acceleration/wide_tree.h"
 #include "render/camera/thin_lens_camera.h"
 #include "render/sampling/sampler.h"
+#include "render/threads/thread_arena.h"
+#include "tests/render/acceleration/owned_batch.h"
 
 namespace carom::bench {
 namespace {
@@ -161,6 +167,50 @@ void frame_set_up(benchmark::State& state, bool with_knot, AccelerationKind kind
     }
 }
 
+/// Equal meshes: kept once at rest and in motion, and for comparison a copy of each.
+enum class Equal { copied, at_rest, moving };
+
+/// The bytes of the structure, and nearest hits of secondary rays, 64 at a time.
+void equal_meshes(benchmark::State& state, Equal equal) {
+    const FlushDenormals mode;
+    const TableShot shot = make_equal_meshes(equal == Equal::moving);
+    StructureMaker maker;
+    if (equal == Equal::copied) {
+        maker = [](const ShapeSet& shapes, std::span<const MeshEntry> meshes) {
+            ShapeSet all = shapes;
+            all.meshes = std::make_shared<const TriangleScene>(meshes);
+            return std::make_unique<HybridStructure>(all);
+        };
+    }
+    const StaticGeometry geometry(shot.scene, {}, maker);
+    const FrameScene frame(geometry, shot.tracks, shot.scene_open, shot.scene_close);
+    const std::vector<Ray> rays = make_ray_sets(frame).secondary;
+    const test::OwnedBatch batch(rays);
+    std::vector<Hit> hits(rays.size());
+    for (auto _ : state) {
+        frame.structure().closest_hits(batch.rays(), hits.data());
+        benchmark::DoNotOptimize(hits.data());
+    }
+    count_rays(state, rays.size());
+    const auto& structure = dynamic_cast<const HybridStructure&>(frame.structure());
+    state.counters["structure_MB"] = static_cast<double>(structure.bytes()) / 1e6;
+}
+
+/// A tree over many boxes.
+void build_tree(benchmark::State& state, int threads) {
+    std::vector<MovingBounds> boxes;
+    for (int i = 0; i < 500'000; ++i) {
+        const V3f low(std::sin(1.3f * static_cast<float>(i)),
+                      std::sin(2.1f * static_cast<float>(i)),
+                      std::cos(3.7f * static_cast<float>(i)));
+        boxes.push_back({{low, low + V3f(0.01f)}, {low, low + V3f(0.01f)}});
+    }
+    ThreadArena arena(threads);
+    for (auto _ : state) {
+        arena.execute([&] { benchmark::DoNotOptimize(build_wide_tree(boxes).nodes.data()); });
+    }
+}
+
 void register_all() {
     const struct {
         const char* name;
@@ -195,6 +245,18 @@ void register_all() {
                                      [=](benchmark::State& state) { camera_rays(state, moving); });
     }
     benchmark::RegisterBenchmark("next_4d", next_4d);
+    for (const int threads : {1, 0}) {
+        benchmark::RegisterBenchmark(threads == 1 ? "build_tree/one_thread" : "build_tree/all",
+                                     [=](benchmark::State& state) { build_tree(state, threads); })
+            ->UseRealTime();
+    }
+    const std::pair<const char*, Equal> equals[] = {
+        {"copied", Equal::copied}, {"at_rest", Equal::at_rest}, {"moving", Equal::moving}};
+    for (const auto& [name, equal] : equals) {
+        benchmark::RegisterBenchmark(
+            (std::string("200_equal_meshes/secondary/") + name).c_str(),
+            [equal = equal](benchmark::State& state) { equal_meshes(state, equal); });
+    }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "bench/bumpy_ball.h"
 #include "render/camera/thin_lens_camera.h"
 #include "render/sampling/sampler.h"
 #include "render/sampling/scalar_kernels.h"
@@ -144,6 +145,28 @@ TableShot make_table_shot(bool with_knot) {
     add_balls(shot);
     if (with_knot) {
         add(shot.scene, knot(), Vec3(0.1, 0, 0.5), "");
+    }
+    return shot;
+}
+
+TableShot make_equal_meshes(bool move) {
+    TableShot shot;
+    shot.scene.materials.push_back({"plain", {}});
+    add_box(shot.scene, Vec3(-4, -3, -0.1), Vec3(4, 3, 0));
+    const MeshShape ball = bumpy_ball(20'000, 0.07);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 place(0.18 * (i % 20) - 1.7, 0.18 * (i / 20) - 0.8, 0.09);
+        std::string track;
+        if (move) {
+            track = fmt::format("track{}", i);
+            const Vec3 velocity(std::cos(0.7 * i), std::sin(0.7 * i), 0);
+            shot.tracks.emplace_back(
+                track,
+                std::vector<sim::Key>{key(0, place, velocity, velocity),
+                                      key(shot.scene_close, place + shot.scene_close * velocity,
+                                          velocity, velocity)});
+        }
+        add(shot.scene, ball, place, track);
     }
     return shot;
 }

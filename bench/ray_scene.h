@@ -1,4 +1,4 @@
-// The scene and the rays of ray_bench: a table of boxes with sixteen balls, half of them moving
+// The scenes and the rays of ray_bench: a table of boxes with sixteen balls, half of them moving
 // with an impact during the shutter, and optionally a knot of 100 000 triangles between lamp and
 // table.
 #pragma once
@@ -22,6 +22,10 @@ struct TableShot {
 };
 
 [[nodiscard]] TableShot make_table_shot(bool with_knot);
+
+/// Two hundred equal bumpy balls of 20 000 triangles in rows on a floor, at rest or each moving by
+/// itself.
+[[nodiscard]] TableShot make_equal_meshes(bool move);
 
 /// Rays of one kind, in the order in which a renderer traces them.
 struct RaySets {

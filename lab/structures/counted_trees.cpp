@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "render/acceleration/analytic_tree_queries-inl.h"
+#include "render/acceleration/instance_queries-inl.h"
 #include "render/triangle/moller_trumbore.h"
 
 // One instruction set is enough, since all give the same bits and nobody measures the time.
@@ -54,21 +55,16 @@ struct Noted {
 template <class Found>
 bool test_leaf(const TriangleTree& tree, std::uint32_t leaf, const Ray& ray, float enter,
                const Found& found) {
-    using L = ScalarLanes<float>;
-    namespace kernels = triangle::scalar;
     const TriangleBlock& block = tree.blocks[leaf];
     const TriangleNames& names = tree.names[leaf];
-    const auto at = [](const FloatLanes(&lanes)[3], std::size_t k) {
-        return V3f(lanes[0].values[k], lanes[1].values[k], lanes[2].values[k]);
-    };
-    const kernels::RayIn<L> ray_in{ray.origin, ray.direction, ray.t_min, kInfinity};
-    for (std::size_t k = 0; k < kBlockLanes && names.object.values[k] >= 0; ++k) {
-        const auto hit = kernels::MollerTrumbore::intersect<triangle::Division::early>(
-            ray_in, kernels::MollerTrumbore::Record<L>{at(block.corner, k), at(block.edge_b, k),
-                                                       at(block.edge_c, k)});
-        if (hit.valid &&
-            found(Hit{std::max(hit.t, enter), static_cast<std::uint32_t>(names.object.values[k]),
-                      static_cast<std::uint32_t>(names.number.values[k]), hit.u, hit.v})) {
+    Ray whole = ray;
+    whole.t_max = kInfinity;
+    for (int k = 0; k < kBlockLanes && names.object.values[k] >= 0; ++k) {
+        const auto hit =
+            triangle_hit(whole, block.corner(0, k), block.corner(1, k), block.corner(2, k));
+        if (hit &&
+            found(Hit{std::max(hit->t, enter), static_cast<std::uint32_t>(names.object.values[k]),
+                      static_cast<std::uint32_t>(names.number.values[k]), hit->u, hit->v})) {
             return true;
         }
     }
@@ -87,6 +83,19 @@ void ask_triangles(const TriangleTree& tree, const Ray& ray, const float& limit,
                          count_shapes(tree.names[leaf].object, counts);
                          return test_leaf(tree, leaf, ray, entry.enter, found);
                      });
+}
+
+/// Asks a tree of instances with one of their queries.
+template <Order kOrder, class Query>
+void ask_instances(const InstanceTree& tree, const Ray& ray, const float& limit, KindCounts& counts,
+                   const Query& query) {
+    if (!tree.instances.empty()) {
+        traverse<kOrder>(CountedNodes{tree.tree, counts}, SingleRay(ray, limit), {ray.t_min, 0},
+                         [&](std::uint32_t leaf, const SingleRay::Entry& entry) {
+                             counts.objects += 1;
+                             return query(leaf, entry);
+                         });
+    }
 }
 
 }  // namespace
@@ -126,6 +135,27 @@ bool any_counted(const TriangleTree& tree, const Ray& ray, KindCounts& counts) {
         return found;
     });
     return found;
+}
+
+void closest_counted(const InstanceTree& tree, const Ray& ray, Hit& best, KindCounts& counts) {
+    float limit = std::min(best.t, PacketLanes::kLargest);
+    const float before = limit;
+    auto object = static_cast<std::int32_t>(best.object);
+    auto primitive = static_cast<std::int32_t>(best.primitive);
+    ask_instances<Order::nearest_first>(
+        tree, ray, limit, counts,
+        ClosestInstanceOfRay{tree, ray, {limit, object, primitive, best.u, best.v}});
+    if (limit < before || object != static_cast<std::int32_t>(best.object)) {
+        best.t = limit;
+        best.object = static_cast<std::uint32_t>(object);
+        best.primitive = static_cast<std::uint32_t>(primitive);
+    }
+}
+
+bool any_counted(const InstanceTree& tree, const Ray& ray, KindCounts& counts) {
+    float limit = std::min(ray.t_max, PacketLanes::kLargest);
+    ask_instances<Order::any>(tree, ray, limit, counts, AnyInstanceOfRay{tree, ray, limit});
+    return limit < 0;
 }
 
 }  // namespace carom::render

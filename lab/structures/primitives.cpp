@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/acceleration/moving_shape.h"
+#include "render/acceleration/triangle_batch_kernels.h"
 #include "render/triangle/moller_trumbore.h"
 
 namespace carom::render {
@@ -30,6 +31,12 @@ Primitives::Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes
         } else {
             bounded_.push_back({Primitive::kMoving, i, shape.object, 0, bounds_of(shape)});
         }
+    }
+    for (const MeshInstance& instance : shapes.instances) {
+        const auto index = static_cast<std::uint32_t>(instances_.size());
+        bounded_.push_back({Primitive::kInstance, index, instance.object, 0,
+                            MovingBounds{instance.bounds, instance.bounds}});
+        instances_.push_back(make_instance_tree({instance}));
     }
     const std::size_t first = bounded_.size();
     add_meshes(meshes);
@@ -67,6 +74,9 @@ bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const
     if (shape.shape == Primitive::kMoving) {
         return intersect_moving(moving_[shape.index], ray, hit);
     }
+    if (shape.shape == Primitive::kInstance) {
+        return best_instance_batch_kernels().closest_of_ray(instances_[shape.index], ray, hit);
+    }
     if (shape.shape == Primitive::kMeshTriangle && triangle_test_) {
         const bool is_hit =
             triangle_test_->closest(first_triangle_[shape.index] + shape.number, ray, hit);
@@ -78,7 +88,7 @@ bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const
     }
     if (shape.shape == Primitive::kMeshTriangle) {
         const auto [a, b, c] = corners(shape);
-        const auto found = moller_trumbore(ray, a, b, c);
+        const auto found = triangle_hit(ray, a, b, c);
         if (found) {
             hit = {found->t, shape.object, shape.number, found->u, found->v};
         }

@@ -7,6 +7,7 @@
 
 #include "lab/structures/triangle_test.h"
 #include "render/acceleration/analytic_kernels.h"
+#include "render/acceleration/instance_tree.h"
 #include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/shape_bounds.h"
 #include "render/acceleration/shapes.h"
@@ -17,15 +18,17 @@ namespace carom::render {
 struct Primitive {
     static constexpr std::uint32_t kMoving = kLaneShapeCount;
     static constexpr std::uint32_t kMeshTriangle = kLaneShapeCount + 1;
+    static constexpr std::uint32_t kInstance = kLaneShapeCount + 2;
 
-    std::uint32_t shape = 0;  // kLaneShape, kMoving or kMeshTriangle
-    std::uint32_t index = 0;  // in that shape's list; in ShapeSet::moving; in the list of meshes
+    std::uint32_t shape = 0;  // kLaneShape or one of these
+    std::uint32_t index = 0;  // in that shape's list, that of ShapeSet, or the list of meshes
     std::uint32_t object = 0;
     std::uint32_t number = 0;  // the triangle in its mesh
     MovingBounds bounds;       // meaningless for infinite shapes
 };
 
-/// All shapes of a frame. A sphere with impacts is one primitive for each segment of its path.
+/// All shapes of a frame. A sphere with impacts is one primitive for each segment of its path, an
+/// instance of a mesh is one primitive.
 class Primitives {
   public:
     /// Infinite planes have a list of their own; the triangles of `meshes` come last. The triangles
@@ -62,6 +65,7 @@ class Primitives {
     const AnalyticKernels* kernels_ = nullptr;
     AnalyticBlocks blocks_;
     std::vector<MovingShape> moving_;
+    std::vector<InstanceTree> instances_;  // each of one
     std::vector<const TriangleMesh*> meshes_;
     std::shared_ptr<const TriangleTest> triangle_test_;  // may be null
     std::vector<std::size_t> first_triangle_;            // of each mesh, for it

@@ -11,16 +11,19 @@ struct WideBvh::Counted {
     Counted(const ShapeSet& all, std::span<const MeshEntry> meshes)
         : planes(infinite_shapes(all)),
           shapes(make_analytic_tree(all)),
+          instances(make_instance_tree(all.instances)),
           triangles(make_triangle_tree(meshes)) {}
 
     Primitives planes;
     AnalyticTree shapes;
+    InstanceTree instances;
     TriangleTree triangles;
 
     void closest(const Ray& safe, Hit& best, KindCounts& counts) const {
         planes.find_closest_plane(safe, best);
         counts.objects = planes.planes().size();
         closest_counted(shapes, safe, best, counts);
+        closest_counted(instances, safe, best, counts);
         closest_counted(triangles, safe, best, counts);
     }
     [[nodiscard]] bool any(const Ray& safe, KindCounts& counts) const {
@@ -28,7 +31,7 @@ struct WideBvh::Counted {
         const bool is_plane = first < planes.planes().size();
         counts.objects = first + (is_plane ? 1 : 0);
         return is_plane || any_counted(shapes, safe, counts) ||
-               any_counted(triangles, safe, counts);
+               any_counted(instances, safe, counts) || any_counted(triangles, safe, counts);
     }
 };
 

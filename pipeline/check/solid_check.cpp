@@ -177,9 +177,20 @@ void SolidCheck::read_mesh(Solid& solid) {
     for (const Vec3& vertex : reading->mesh.vertices) {
         solid.box->extendBy(vertex);
     }
-    if (!is_room(shot_, *solid.object, *solid.box) && is_closed(reading->mesh)) {
+    if (!is_room(shot_, *solid.object, *solid.box) && is_closed_mesh(shape, reading->mesh)) {
         solid.mesh = std::move(reading);
     }
+}
+
+bool SolidCheck::is_closed_mesh(const render::MeshShape& shape, const render::MeshShape& whole) {
+    if (shape.file.empty()) {
+        return is_closed(whole);
+    }
+    const auto [place, is_new] = closed_files_.try_emplace(shape.file);
+    if (is_new) {
+        place->second = is_closed(whole);
+    }
+    return place->second;
 }
 
 bool SolidCheck::is_inside(Solid& solid, const Vec3& point) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,9 +38,13 @@ class SolidCheck {
 
     [[nodiscard]] bool is_inside(Solid& solid, const Vec3& point);
     void read_mesh(Solid& solid);
+    /// `whole`: with its triangles. Each file is looked at once.
+    [[nodiscard]] bool is_closed_mesh(const render::MeshShape& shape,
+                                      const render::MeshShape& whole);
 
     const Shot& shot_;
     WholeMeshes meshes_;
+    std::map<std::string, bool> closed_files_;
     std::vector<Solid> solids_;
     std::size_t work_;  // tests of triangles that may still be made
 };

@@ -12,6 +12,7 @@ struct LeafSlab {
     float low, high;
     float size;      // the largest coordinate of a corner, m
     float rounding;  // bound on a hit's error along the normal, as a fraction of coordinates
+    float edge;      // the largest sum of the sizes of an edge's coordinates, m
 };
 
 /// A Horizon (horizon.h). Borrows its arrays.

@@ -8,6 +8,7 @@
 
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/safe_ray.h"
+#include "render/acceleration/triangle_batch_kernels.h"
 #include "render/acceleration/triangle_scene.h"
 
 namespace carom::render {
@@ -35,6 +36,7 @@ RayBatch part_of(const RayBatch& rays, int first) {
 
 HybridStructure::HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold)
     : HybridStructure(ShapeSet{}, nullptr) {
+    instances_ = make_instance_tree(shapes.instances);
     meshes_ = shapes.meshes;
     if (loop_cost(shapes) >= tree_threshold) {
         tree_ = std::make_shared<const AnalyticTree>(make_analytic_tree(shapes));
@@ -49,7 +51,9 @@ HybridStructure::HybridStructure(const ShapeSet& shapes,
     : kernels_(best_kernels()),
       batch_kernels_(best_batch_kernels()),
       tree_kernels_(best_tree_kernels()),
+      instance_kernels_(best_instance_batch_kernels()),
       tree_(std::move(static_tree)),
+      instances_(make_instance_tree(shapes.instances)),
       meshes_(shapes.meshes) {
     set_loops(shapes);
 }
@@ -60,7 +64,8 @@ void HybridStructure::set_loops(const ShapeSet& shapes) {
 }
 
 std::size_t HybridStructure::bytes() const {
-    return (tree_ ? bytes_of(tree_->tree) : 0) + (meshes_ ? meshes_->bytes() : 0);
+    return (tree_ ? bytes_of(tree_->tree) : 0) + bytes_of(instances_) +
+           (meshes_ ? meshes_->bytes() : 0);
 }
 
 bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
@@ -105,6 +110,9 @@ bool HybridStructure::find_outside_tree(Ray remaining, Hit& best) const {
         }
     }
     Hit other;
+    if (instance_kernels_.closest_of_ray(instances_, remaining, other)) {
+        accept(other);
+    }
     if (meshes_ && meshes_->closest_hit(remaining, other)) {
         accept(other);
     }
@@ -127,7 +135,7 @@ bool HybridStructure::any_hit(const Ray& ray) const {
             return true;
         }
     }
-    return meshes_ && meshes_->any_hit(safe);
+    return instance_kernels_.any_of_ray(instances_, safe) || (meshes_ && meshes_->any_hit(safe));
 }
 
 /// The nearest hits of a part of a batch.
@@ -182,8 +190,10 @@ void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
         each_meeting(part, best.t, [&](const MovingShape& shape, std::uint64_t rays_of_shape) {
             find_moving(shape, part, rays_of_shape, best);
         });
+        const HitArrays nearest{best.t, best.object, best.primitive, best.u, best.v};
+        instance_kernels_.closest(instances_, part, nearest);
         if (meshes_) {
-            meshes_->closest_hits(part, {best.t, best.object, best.primitive, best.u, best.v});
+            meshes_->closest_hits(part, nearest);
         }
         for (int i = 0; i < part.count; ++i) {
             hits[first + i] = best.hit(i);
@@ -199,16 +209,13 @@ struct NamedRays {
     float distances[kBatch + RayBatch::kBeyond];
     int count = 0;
 
-    /// Of a mesh without the distances, which differ by what is asked.
     NamedRays(std::uint64_t rays, const MovingShape& shape, const RayBatch& batch,
               const BatchKernels& kernels) {
         for (; rays != 0; rays &= rays - 1) {
             numbers[count++] = std::countr_zero(rays);
         }
-        if (shape.mesh == nullptr) {
-            std::fill_n(numbers + count, RayBatch::kBeyond, numbers[0]);
-            kernels.hit_moving(shape, batch, numbers, count, distances);
-        }
+        std::fill_n(numbers + count, RayBatch::kBeyond, numbers[0]);
+        kernels.hit_moving(shape, batch, numbers, count, distances);
     }
 };
 
@@ -218,13 +225,7 @@ void HybridStructure::find_moving(const MovingShape& shape, const RayBatch& part
                                   std::uint64_t rays_of_shape, PartHits& best) const {
     const NamedRays rays(rays_of_shape, shape, part, batch_kernels_);
     for (int k = 0; k < rays.count; ++k) {
-        const int i = rays.numbers[k];
-        Hit other;
-        if (shape.mesh == nullptr) {
-            best.offer(i, {rays.distances[k], shape.object, 0, 0, 0});
-        } else if (intersect_moving(shape, part.ray(i, just_beyond(best.t[i])), other)) {
-            best.offer(i, other);
-        }
+        best.offer(rays.numbers[k], {rays.distances[k], shape.object, 0, 0, 0});
     }
 }
 
@@ -233,10 +234,7 @@ void HybridStructure::occlude_by_moving(const MovingShape& shape, const RayBatch
     const NamedRays rays(rays_of_shape, shape, part, batch_kernels_);
     for (int k = 0; k < rays.count; ++k) {
         const int i = rays.numbers[k];
-        if (shape.mesh == nullptr ? rays.distances[k] < t[i]
-                                  : t[i] > 0 && occluded_by_moving(shape, part.ray(i, t[i]))) {
-            t[i] = 0;
-        }
+        t[i] = rays.distances[k] < t[i] ? 0 : t[i];
     }
 }
 
@@ -290,6 +288,7 @@ void HybridStructure::test_occlusion(const RayBatch& rays, float* t_max) const {
             occlude_by_moving(shape, part, rays_of_shape, part_t);
         });
     }
+    instance_kernels_.occlude(instances_, rays, t_max);
     if (meshes_) {
         meshes_->test_occlusion(rays, t_max);
     }

@@ -1,5 +1,5 @@
 // The default structure: analytic shapes in vector lanes, many of them in a tree, and the triangles
-// of meshes in a tree of their own.
+// of meshes in trees of their own.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include "render/acceleration/analytic_tree_kernels.h"
 #include "render/acceleration/batch_kernels.h"
 #include "render/acceleration/shapes.h"
+#include "render/acceleration/triangle_batch_kernels.h"
 
 namespace carom::render {
 
@@ -54,9 +55,11 @@ class HybridStructure final : public AccelerationStructure {
     const AnalyticKernels& kernels_;
     const BatchKernels& batch_kernels_;
     const AnalyticTreeKernels& tree_kernels_;
+    const InstanceBatchKernels& instance_kernels_;
     std::shared_ptr<const AnalyticTree> tree_;  // may be null
     LoopBlocks loops_;                          // shapes outside the tree
     MovingLoops moving_;                        // likewise
+    InstanceTree instances_;
     std::shared_ptr<const TriangleScene> meshes_;
 };
 

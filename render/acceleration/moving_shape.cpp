@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "render/acceleration/triangle_scene.h"
 #include "render/geometry/scalar_kernels.h"
 
 namespace carom::render {
@@ -56,15 +55,7 @@ bool intersect_moving(const MovingShape& shape, const Ray& ray, Hit& hit) {
     if (!may_hit(shape, ray)) {
         return false;
     }
-    const Ray local = in_body_axes(shape, ray);
-    if (shape.kind == ShapeKind::mesh) {
-        if (!shape.mesh->closest_hit(local, hit)) {
-            return false;
-        }
-        hit.object = shape.object;
-        return true;
-    }
-    const std::optional<float> t = intersect_analytic(shape, local);
+    const std::optional<float> t = intersect_analytic(shape, in_body_axes(shape, ray));
     if (t) {
         hit = {*t, shape.object, 0, 0, 0};
     }
@@ -72,12 +63,7 @@ bool intersect_moving(const MovingShape& shape, const Ray& ray, Hit& hit) {
 }
 
 bool occluded_by_moving(const MovingShape& shape, const Ray& ray) {
-    if (!may_hit(shape, ray)) {
-        return false;
-    }
-    const Ray local = in_body_axes(shape, ray);
-    return shape.kind == ShapeKind::mesh ? shape.mesh->any_hit(local)
-                                         : intersect_analytic(shape, local).has_value();
+    return may_hit(shape, ray) && intersect_analytic(shape, in_body_axes(shape, ray)).has_value();
 }
 
 Imath::Box3f swept_bounds(const RigidMotion& motion, float bounding_radius) {

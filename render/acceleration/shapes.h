@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Imath/ImathBox.h>
@@ -14,17 +15,17 @@
 
 namespace carom::render {
 
-class TriangleScene;
+class TriangleScene;  // triangle_scene.h
+struct TriangleTree;  // triangle_tree.h
 
-/// Any moving shape except a sphere: it is tested in the axes of its unit shape (meshes: of the
-/// body) at the ray's time.
+/// Any moving shape except a sphere and a mesh: it is tested in the axes of its unit shape at the
+/// ray's time.
 struct MovingShape {
     ShapeKind kind = ShapeKind::box;
     Affine unit_from_body;
     V3f parameters{0, 0, 0};  // see shape_list.h
     std::shared_ptr<const RigidMotion> motion;
-    std::shared_ptr<const TriangleScene> mesh;  // in body axes, object indices 0
-    Imath::Box3f bounds;                        // world axes, over the whole shutter
+    Imath::Box3f bounds;  // world axes, over the whole shutter
     std::uint32_t object = 0;
 
     /// Whether the shape is infinite, so that no bounding box exists.
@@ -33,11 +34,21 @@ struct MovingShape {
     }
 };
 
+/// One object that has a mesh. Rays are tested in the axes of the mesh.
+struct MeshInstance {
+    std::shared_ptr<const TriangleTree> mesh;   // its only object has the number 0
+    std::optional<Affine> mesh_from_body;       // none: the mesh is in the axes of the body
+    std::shared_ptr<const RigidMotion> motion;  // null: at rest, with the axes of the world
+    Imath::Box3f bounds;                        // world axes, over the whole shutter
+    std::uint32_t object = 0;
+};
+
 /// Everything that rays can hit in a frame.
 struct ShapeSet {
     AnalyticBlocks blocks;
     std::vector<MovingShape> moving;
-    std::shared_ptr<const TriangleScene> meshes;  // all static meshes; may be null
+    std::vector<MeshInstance> instances;          // of meshes that move, or exist many times
+    std::shared_ptr<const TriangleScene> meshes;  // all other meshes; may be null
 
     void add_sphere(const SphereSegment& sphere) {
         if (sphere.is_static()) {

@@ -165,7 +165,7 @@ struct ChildOrder {
     }
 };
 
-/// A ray in each lane, all with the same t_min.
+/// A ray in each lane, from distance 0 on.
 struct alignas(64) PacketRays {
     static constexpr bool kIsPacket = true;
     /// The largest number of rays that go on alone, and of those that meet a leaf alone.
@@ -182,8 +182,9 @@ struct alignas(64) PacketRays {
     float origin[3][kPacketLanes];
     float direction[3][kPacketLanes];
     float low[3][kPacketLanes], high[3][kPacketLanes], inverse[3][kPacketLanes];  // see BoxLines
+    float start[kPacketLanes];  // boxes count from here, and what is in them
     float limit[kPacketLanes];  // the search ends here; -1 for lanes without a ray
-    float t_min;
+    float time[kPacketLanes];   // only for trees of instances
 
     /// Sets what box tests need.
     HWY_INLINE void prepare() {
@@ -201,7 +202,7 @@ struct alignas(64) PacketRays {
     [[nodiscard]] HWY_INLINE Entry root() const {
         const PacketTag d;
         Entry entry;
-        hn::Store(PacketLanes::all(t_min), d, entry.enter);
+        hn::Store(hn::Load(d, start), d, entry.enter);
         entry.child = 0;
         return entry;
     }
@@ -213,7 +214,7 @@ struct alignas(64) PacketRays {
             line.high[axis] = high[axis][ray];
             line.inverse[axis] = inverse[axis][ray];
         }
-        return {line, t_min, 0, limit[ray]};
+        return {line, start[ray], 0, limit[ray]};
     }
 
     /// The rays that enter a child before their limits.
@@ -253,7 +254,7 @@ struct alignas(64) PacketRays {
         const PacketTag d;
         const auto rays = active(current);
         const auto end = hn::Load(d, limit);
-        const auto start = L::all(t_min);
+        const auto begin = hn::Load(d, start);
         BoxLines<L> lines;
         for (int axis = 0; axis < 3; ++axis) {
             lines.low[axis] = hn::Load(d, low[axis]);
@@ -265,7 +266,7 @@ struct alignas(64) PacketRays {
         ChildOrder order;
         for (int lane = 0; lane < kBlockLanes && node.children[lane] != 0; ++lane) {
             const PassageOf<L> way = passage(node, lane, lines);
-            const auto enter = L::larger(way.enter, start);
+            const auto enter = L::larger(way.enter, begin);
             const auto inside = L::both(L::is_at_most(enter, L::smaller(way.leave, end)), rays);
             if (L::none(inside)) {
                 continue;

@@ -6,7 +6,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#include "render/acceleration/triangle_queries-inl.h"
+#include "render/acceleration/instance_queries-inl.h"
 #include "render/lanes/packed_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,8 +27,8 @@ struct CandidateRays {
             {{box.min.x, box.max.x}, {box.min.y, box.max.y}, {box.min.z, box.max.z}}, lines));
     }
 
-    /// Whether they may hit a leaf of a tree of one node. Most rays towards a lamp miss those of
-    /// the shade around it.
+    /// Whether they may hit a leaf, if the tree has one node. Most rays towards a lamp miss those
+    /// of the shade around it.
     [[nodiscard]] HWY_INLINE L::Mask meet_leaves(const TriangleTree& tree) const {
         const WideNode& node = tree.tree.nodes[0];
         auto meets = L::first_lanes(0);
@@ -39,15 +39,29 @@ struct CandidateRays {
         }
         return meets;
     }
+
+    /// Those of some rays that may hit a tree whose box they meet: that do not pass above its
+    /// horizon, and meet a leaf if there are few.
+    [[nodiscard]] HWY_INLINE L::Mask may_hit(const TriangleTree& tree, L::Mask some) const {
+        if (tree.horizon.width > 0) {
+            some =
+                L::without(some, pass_above<L>(tree.horizon.tables(), line.origin, line.direction));
+        }
+        const bool has_few_leaves = tree.tree.nodes.size() == 1;
+        return has_few_leaves && !L::none(some) ? L::both(meet_leaves(tree), some) : some;
+    }
+    [[nodiscard]] HWY_INLINE L::Mask may_hit(const InstanceTree& /*tree*/, L::Mask some) const {
+        return some;
+    }
 };
 
 /// Rays of a batch that wait to be asked, without gaps.
 class WaitingRays {
   public:
     /// Adds the rays from `first` on that may meet the tree before `t`: finite ones (safe_ray.h)
-    /// that pass through its box and not above its horizon, and meet a leaf if there are few.
-    HWY_INLINE void add(const TriangleTree& tree, const RayBatch& batch, int first,
-                        PacketLanes::Value t) {
+    /// that pass through its box.
+    template <class Tree>
+    HWY_INLINE void add(const Tree& tree, const RayBatch& batch, int first, PacketLanes::Value t) {
         using L = PacketLanes;
         CandidateRays rays;
         Vec3<L::Value>& origin = rays.line.origin;
@@ -61,18 +75,12 @@ class WaitingRays {
             box_lines<L>({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z});
         const auto has_way =
             L::both(is_finite<L>(rays.line, L::load(batch.time + first)), L::is_less(L::all(0), t));
-        auto may_hit =
+        const auto may_hit =
             L::both(L::both(has_way, L::first_lanes(batch.count - first)), rays.meet(tree.bounds));
-        if (tree.horizon.width > 0) {
-            may_hit = L::without(may_hit, pass_above<L>(tree.horizon.tables(), origin, direction));
-        }
         if (L::none(may_hit)) {
             return;
         }
-        if (tree.tree.nodes.size() == 1) {
-            may_hit = L::both(rays.meet_leaves(tree), may_hit);
-        }
-        const PackedLanes goes(may_hit);
+        const PackedLanes goes(rays.may_hit(tree, may_hit));
         for (std::size_t axis = 0; axis < 3; ++axis) {
             L::store(goes.pack(origin[axis]), origin_[axis] + count_);
             L::store(goes.pack(direction[axis]), direction_[axis] + count_);
@@ -101,7 +109,7 @@ class WaitingRays {
         hn::Store(hn::Load(d, limit_ + kPacketLanes), d, limit_);
         hn::Store(hn::Load(di, index_), di, index);
         hn::Store(hn::Load(di, index_ + kPacketLanes), di, index_);
-        rays.t_min = 0;
+        hn::Store(L::all(0), d, rays.start);
         rays.prepare();
         count_ -= taken;
         return taken;
@@ -117,28 +125,66 @@ class WaitingRays {
 
 /// Calls `ask(rays, index, count)` with packets of the rays of a batch that may meet the tree
 /// before `t`.
-template <class Ask>
-HWY_INLINE void for_packets(const TriangleTree& tree, const RayBatch& batch, const float* t,
+template <class Tree, class Ask>
+HWY_INLINE void for_packets(const Tree& tree, const RayBatch& batch, const float* t,
                             const Ask& ask) {
-    if (tree.blocks.empty()) {
+    if (tree.tree.nodes.empty()) {
         return;
     }
     WaitingRays waiting;
     PacketRays rays;
     alignas(64) std::int32_t index[kPacketLanes];
+    const auto ask_some = [&]() HWY_ATTR {
+        const int count = waiting.take(rays, index);
+        if constexpr (std::is_same_v<Tree, InstanceTree>) {
+            const PacketTag d;
+            const auto time = PacketLanes::gather(batch.time, PacketLanes::load_int(index));
+            hn::Store(time, d, rays.time);
+        }
+        ask(rays, index, count);
+    };
     for (int first = 0; first < batch.count; first += kPacketLanes) {
         waiting.add(tree, batch, first, PacketLanes::load(t + first));
         if (waiting.count() >= kPacketLanes) {
-            ask(rays, index, waiting.take(rays, index));
+            ask_some();
         }
     }
     if (waiting.count() > 0) {
-        ask(rays, index, waiting.take(rays, index));
+        ask_some();
     }
 }
 
-inline HWY_ATTR void closest(const TriangleTree& tree, const RayBatch& batch,
-                             const HitArrays& hits) {
+HWY_INLINE ClosestOfPacket closest_query(const TriangleTree& tree, PacketRays& rays,
+                                         PacketHits& hits) {
+    return {{{tree}, rays}, hits};
+}
+HWY_INLINE ClosestInstanceOfPacket closest_query(const InstanceTree& tree, PacketRays& rays,
+                                                 PacketHits& hits) {
+    return {{tree, rays}, hits};
+}
+HWY_INLINE ClosestOfRay closest_query(const TriangleTree& tree, const Ray& ray,
+                                      const NearestOfRay& nearest) {
+    return {{tree}, ray, nearest};
+}
+HWY_INLINE ClosestInstanceOfRay closest_query(const InstanceTree& tree, const Ray& ray,
+                                              const NearestOfRay& nearest) {
+    return {tree, ray, nearest};
+}
+HWY_INLINE AnyOfPacket any_query(const TriangleTree& tree, PacketRays& rays) {
+    return {{{tree}, rays}};
+}
+HWY_INLINE AnyInstanceOfPacket any_query(const InstanceTree& tree, PacketRays& rays) {
+    return {{tree, rays}};
+}
+HWY_INLINE AnyOfRay any_query(const TriangleTree& tree, const Ray& ray, float& limit) {
+    return {tree, ray, limit};
+}
+HWY_INLINE AnyInstanceOfRay any_query(const InstanceTree& tree, const Ray& ray, float& limit) {
+    return {tree, ray, limit};
+}
+
+template <class Tree>
+HWY_ATTR void closest(const Tree& tree, const RayBatch& batch, const HitArrays& hits) {
     PacketHits nearest;
     const auto ask = [&](PacketRays& rays, const std::int32_t* index, int count) HWY_ATTR {
         const PacketTag d;
@@ -149,7 +195,7 @@ inline HWY_ATTR void closest(const TriangleTree& tree, const RayBatch& batch,
             nearest.primitive[i] = hits.primitive[index[i]];
         }
         traverse<Order::nearest_first>(tree.tree, rays, rays.root(),
-                                       ClosestOfPacket{{tree, rays}, nearest});
+                                       closest_query(tree, rays, nearest));
         for (int i = 0; i < count; ++i) {
             const int at = index[i];
             const bool is_nearer = rays.limit[i] < before[i];
@@ -166,9 +212,10 @@ inline HWY_ATTR void closest(const TriangleTree& tree, const RayBatch& batch,
     for_packets(tree, batch, hits.t, ask);
 }
 
-inline HWY_ATTR void occlude(const TriangleTree& tree, const RayBatch& batch, float* t) {
+template <class Tree>
+HWY_ATTR void occlude(const Tree& tree, const RayBatch& batch, float* t) {
     const auto ask = [&](PacketRays& rays, const std::int32_t* index, int count) HWY_ATTR {
-        traverse<Order::any>(tree.tree, rays, rays.root(), AnyOfPacket{{tree, rays}});
+        traverse<Order::any>(tree.tree, rays, rays.root(), any_query(tree, rays));
         for (int i = 0; i < count; ++i) {
             t[index[i]] = rays.limit[i] < 0 ? 0 : t[index[i]];
         }
@@ -183,8 +230,12 @@ HWY_INLINE bool may_hit(const TriangleTree& tree, const Ray& ray) {
                           pass_above<L>(map, all_of<L>(ray.origin), all_of<L>(ray.direction));
     return !tree.blocks.empty() && !is_above;
 }
+HWY_INLINE bool may_hit(const InstanceTree& tree, const Ray& /*ray*/) {
+    return !tree.instances.empty();
+}
 
-inline HWY_ATTR bool closest_of_ray(const TriangleTree& tree, const Ray& ray, Hit& hit) {
+template <class Tree>
+HWY_ATTR bool closest_of_ray(const Tree& tree, const Ray& ray, Hit& hit) {
     if (!may_hit(tree, ray)) {
         return false;
     }
@@ -194,7 +245,7 @@ inline HWY_ATTR bool closest_of_ray(const TriangleTree& tree, const Ray& ray, Hi
     float u = 0;
     float v = 0;
     traverse<Order::nearest_first>(tree.tree, SingleRay(ray, limit), {ray.t_min, 0},
-                                   ClosestOfRay{tree, ray, limit, object, primitive, u, v});
+                                   closest_query(tree, ray, {limit, object, primitive, u, v}));
     if (object < 0) {
         return false;
     }
@@ -202,19 +253,26 @@ inline HWY_ATTR bool closest_of_ray(const TriangleTree& tree, const Ray& ray, Hi
     return true;
 }
 
-inline HWY_ATTR bool any_of_ray(const TriangleTree& tree, const Ray& ray) {
+template <class Tree>
+HWY_ATTR bool any_of_ray(const Tree& tree, const Ray& ray) {
     if (!may_hit(tree, ray)) {
         return false;
     }
     float limit = std::min(ray.t_max, PacketLanes::kLargest);
     traverse<Order::any>(tree.tree, SingleRay(ray, limit), {ray.t_min, 0},
-                         AnyOfRay{tree, ray, limit});
+                         any_query(tree, ray, limit));
     return limit < 0;
 }
 
+template <class Tree>
+inline constexpr TreeBatchKernels<Tree> kKernelsOfTarget = {closest<Tree>, occlude<Tree>,
+                                                            closest_of_ray<Tree>, any_of_ray<Tree>};
+
 inline const TriangleBatchKernels& triangle_batch_kernels_of_target() {
-    static constexpr TriangleBatchKernels kKernels = {closest, occlude, closest_of_ray, any_of_ray};
-    return kKernels;
+    return kKernelsOfTarget<TriangleTree>;
+}
+inline const InstanceBatchKernels& instance_batch_kernels_of_target() {
+    return kKernelsOfTarget<InstanceTree>;
 }
 
 }  // namespace carom::render::HWY_NAMESPACE
@@ -225,9 +283,13 @@ HWY_AFTER_NAMESPACE();
 namespace carom::render {
 
 HWY_EXPORT(triangle_batch_kernels_of_target);
+HWY_EXPORT(instance_batch_kernels_of_target);
 
 const TriangleBatchKernels& best_triangle_batch_kernels() {
     return HWY_DYNAMIC_DISPATCH(triangle_batch_kernels_of_target)();
+}
+const InstanceBatchKernels& best_instance_batch_kernels() {
+    return HWY_DYNAMIC_DISPATCH(instance_batch_kernels_of_target)();
 }
 
 }  // namespace carom::render

@@ -1,26 +1,67 @@
 // The tests of triangles in the leaves of a tree. Included once per instruction set.
+#if defined(CAROM_TRIANGLE_QUERIES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_TRIANGLE_QUERIES_INL_H
+#undef CAROM_TRIANGLE_QUERIES_INL_H
+#else
+#define CAROM_TRIANGLE_QUERIES_INL_H
+#endif
+
 #include <algorithm>
+#include <optional>
 
 #include "render/acceleration/tree_traversal-inl.h"
 #include "render/acceleration/triangle_tree.h"
 #include "render/triangle/moller_trumbore-inl.h"
+#include "render/triangle/moller_trumbore.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 namespace kernels = triangle::HWY_NAMESPACE;
 
+/// Tests rays with triangles, one of both in each lane, so that no ray passes between triangles
+/// with a common edge. `exact(lane)` answers as triangle_hit() where that is in doubt.
+template <class L, class Exact>
+HWY_INLINE kernels::HitIn<L> test(const RayOf<L>& ray, ValueOf<L> t_min,
+                                  const kernels::Corners<L>& corners, ValueOf<L> error,
+                                  const Exact& exact) {
+    auto [hit, is_doubtful] = kernels::sure_hit<L>(
+        kernels::RayIn<L>{ray.origin, ray.direction, t_min, L::all(kInfinity)}, corners, error);
+    if (HWY_UNLIKELY(!L::none(is_doubtful))) {
+        alignas(64) float doubts[16], t[16], u[16], v[16], is_hit[16];
+        L::store(L::select(is_doubtful, L::all(1), L::all(0)), doubts);
+        L::store(hit.t, t);
+        L::store(hit.u, u);
+        L::store(hit.v, v);
+        L::store(L::select(hit.valid, L::all(1), L::all(0)), is_hit);
+        for (int lane = 0; lane < L::count(); ++lane) {
+            if (doubts[lane] == 0) {
+                continue;
+            }
+            if (const std::optional<TriangleHit> found = exact(lane)) {
+                t[lane] = found->t;
+                u[lane] = found->u;
+                v[lane] = found->v;
+                is_hit[lane] = 1;
+            }
+        }
+        hit = {L::load(t), L::load(u), L::load(v), L::is_less(L::all(0), L::load(is_hit))};
+    }
+    return hit;
+}
+
+/// The error of test() for all triangles of a leaf: at least that of triangle_hit() for each.
 template <class L>
-HWY_INLINE kernels::HitIn<L> test(const Vec3Of<L>& origin, const Vec3Of<L>& direction,
-                                  const kernels::MollerTrumbore::Record<L>& triangles,
-                                  float t_min) {
-    return kernels::MollerTrumbore::intersect<triangle::Division::early>(
-        kernels::RayIn<L>{origin, direction, L::all(t_min), L::all(kInfinity)}, triangles);
+HWY_INLINE ValueOf<L> doubt_in(const LeafSlab& slab, const RayOf<L>& ray) {
+    constexpr float kRounding = 1.0001f;
+    const Vec3Of<L>& o = ray.origin;
+    const auto way = L::size(o.x) + L::size(o.y) + L::size(o.z) + L::all(3 * slab.size);
+    return kernels::doubt<L>(ray.direction, L::all(kRounding * slab.edge), way);
 }
 
 /// The triangles of a leaf, from `lane` on, for one ray.
 HWY_INLINE kernels::HitIn<ChildLanes> test_block(const TriangleBlock& block, int lane,
-                                                 const Ray& ray) {
+                                                 const Ray& ray, float error) {
     using L = ChildLanes;
     const auto load = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
         const ChildTag d;
@@ -28,8 +69,18 @@ HWY_INLINE kernels::HitIn<ChildLanes> test_block(const TriangleBlock& block, int
                               hn::Load(d, numbers[1].values + lane),
                               hn::Load(d, numbers[2].values + lane)};
     };
-    return test<L>(all_of<L>(ray.origin), all_of<L>(ray.direction),
-                   {load(block.corner), load(block.edge_b), load(block.edge_c)}, ray.t_min);
+    return test<L>({all_of<L>(ray.origin), all_of<L>(ray.direction)}, L::all(ray.t_min),
+                   {load(block.corners[0]), load(block.corners[1]), load(block.corners[2])},
+                   L::all(error), [&](int k) {
+                       Ray whole = ray;
+                       whole.t_max = kInfinity;
+                       return triangle_hit(whole, block.corner(0, lane + k),
+                                           block.corner(1, lane + k), block.corner(2, lane + k));
+                   });
+}
+HWY_INLINE float doubt_in(const LeafSlab& slab, const Ray& ray) {
+    using L = ScalarLanes<float>;
+    return doubt_in<L>(slab, {all_of<L>(ray.origin), all_of<L>(ray.direction)});
 }
 
 /// Whether no triangle of a leaf can be hit before `limit`.
@@ -38,46 +89,13 @@ HWY_INLINE bool stays_beyond(const LeafSlab& slab, const Ray& ray, float limit) 
     return stay_beyond<L>(slab, all_of<L>(ray.origin), all_of<L>(ray.direction), limit);
 }
 
-/// The nearest hit of one ray, whose distance is `limit`. Of the ray, t_max is not used.
-struct ClosestOfRay {
-    const TriangleTree& tree;
-    Ray ray;
-    float& limit;
+/// The nearest hit of one ray, wherever that is kept.
+struct NearestOfRay {
+    float& limit;  // its distance, or where the search ends
     std::int32_t& object;
     std::int32_t& primitive;
     float& u;
     float& v;
-
-    HWY_INLINE bool operator()(std::uint32_t leaf, const SingleRay::Entry& entry) const {
-        if (stays_beyond(tree.slabs[leaf], ray, limit)) {
-            return false;
-        }
-        using L = ChildLanes;
-        const ChildTag d;
-        const TriangleNames& names = tree.names[leaf];
-        for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
-            const auto hit = test_block(tree.blocks[leaf], lane, ray);
-            const auto distance = L::larger(hit.t, L::all(entry.enter));
-            const auto near = L::both(hit.valid, L::is_at_most(distance, L::all(limit)));
-            if (L::none(near)) {
-                continue;
-            }
-            alignas(32) float t[kBlockLanes];
-            alignas(32) float us[kBlockLanes];
-            alignas(32) float vs[kBlockLanes];
-            std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(d, near, bits);
-            hn::Store(distance, d, t);
-            hn::Store(hit.u, d, us);
-            hn::Store(hit.v, d, vs);
-            for (unsigned left = bits[0]; left != 0; left &= left - 1) {
-                const int k = std::countr_zero(left);
-                offer(names.object.values[lane + k], names.number.values[lane + k], t[k], us[k],
-                      vs[k]);
-            }
-        }
-        return false;
-    }
 
     HWY_INLINE void offer(std::int32_t other, std::int32_t number, float t, float at_u,
                           float at_v) const {
@@ -92,6 +110,52 @@ struct ClosestOfRay {
     }
 };
 
+/// A tree, and the number that its first object has among those of the scene.
+struct NumberedTree {
+    const TriangleTree& tree;
+    std::int32_t first_object = 0;
+};
+
+/// The nearest hit of one ray. Of the ray, t_max is not used.
+struct ClosestOfRay {
+    NumberedTree all;
+    Ray ray;
+    NearestOfRay nearest;
+
+    HWY_INLINE bool operator()(std::uint32_t leaf, const SingleRay::Entry& entry) const {
+        const TriangleTree& tree = all.tree;
+        if (stays_beyond(tree.slabs[leaf], ray, nearest.limit)) {
+            return false;
+        }
+        using L = ChildLanes;
+        const ChildTag d;
+        const TriangleNames& names = tree.names[leaf];
+        const float error = doubt_in(tree.slabs[leaf], ray);
+        for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
+            const auto hit = test_block(tree.blocks[leaf], lane, ray, error);
+            const auto distance = L::larger(hit.t, L::all(entry.enter));
+            const auto near = L::both(hit.valid, L::is_at_most(distance, L::all(nearest.limit)));
+            if (L::none(near)) {
+                continue;
+            }
+            alignas(32) float t[kBlockLanes];
+            alignas(32) float us[kBlockLanes];
+            alignas(32) float vs[kBlockLanes];
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, near, bits);
+            hn::Store(distance, d, t);
+            hn::Store(hit.u, d, us);
+            hn::Store(hit.v, d, vs);
+            for (unsigned left = bits[0]; left != 0; left &= left - 1) {
+                const int k = std::countr_zero(left);
+                nearest.offer(names.object.values[lane + k] + all.first_object,
+                              names.number.values[lane + k], t[k], us[k], vs[k]);
+            }
+        }
+        return false;
+    }
+};
+
 /// Occlusion of one ray, whose limit becomes -1.
 struct AnyOfRay {
     const TriangleTree& tree;
@@ -103,8 +167,9 @@ struct AnyOfRay {
             return false;
         }
         using L = ChildLanes;
+        const float error = doubt_in(tree.slabs[leaf], ray);
         for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
-            const auto hit = test_block(tree.blocks[leaf], lane, ray);
+            const auto hit = test_block(tree.blocks[leaf], lane, ray, error);
             const auto distance = L::larger(hit.t, L::all(entry.enter));
             if (!L::none(L::both(hit.valid, L::is_less(distance, L::all(limit))))) {
                 limit = -1;
@@ -115,18 +180,17 @@ struct AnyOfRay {
     }
 };
 
+[[nodiscard]] HWY_INLINE Ray one_of(const PacketRays& rays, int i) {
+    Ray ray;
+    ray.origin = V3f(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
+    ray.direction = V3f(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
+    return ray;
+}
+
 /// What both queries of packets share.
 struct PacketQuery {
-    const TriangleTree& tree;
+    NumberedTree all;
     PacketRays& rays;
-
-    [[nodiscard]] HWY_INLINE Ray ray(int i) const {
-        Ray ray;
-        ray.origin = V3f(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
-        ray.direction = V3f(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
-        ray.t_min = rays.t_min;
-        return ray;
-    }
 
     /// Calls `offer(k, hit)` for each triangle of a leaf with the hits of all rays; the distances
     /// of rays that do not meet the leaf are infinite.
@@ -136,28 +200,33 @@ struct PacketQuery {
         using L = PacketLanes;
         using Vector = Vec3<L::Value>;
         const PacketTag d;
+        const TriangleTree& tree = all.tree;
         const auto load = [&](const float(&numbers)[3][kPacketLanes]) HWY_ATTR {
             return Vector{hn::Load(d, numbers[0]), hn::Load(d, numbers[1]),
                           hn::Load(d, numbers[2])};
         };
-        const Vector origin = load(rays.origin);
-        const Vector direction = load(rays.direction);
+        const RayOf<L> line{load(rays.origin), load(rays.direction)};
         const auto gone =
-            stay_beyond<L>(tree.slabs[leaf], origin, direction, hn::Load(d, rays.limit));
+            stay_beyond<L>(tree.slabs[leaf], line.origin, line.direction, hn::Load(d, rays.limit));
         const auto meets = L::without(rays.active(entry), gone);
         if (L::none(meets)) {
             return;
         }
         const auto enter = L::select(meets, hn::Load(d, entry.enter), L::all(kInfinity));
         const TriangleBlock& block = tree.blocks[leaf];
+        const auto error = doubt_in<L>(tree.slabs[leaf], line);
         for (int k = 0; k < kBlockLanes && tree.names[leaf].object.values[k] >= 0; ++k) {
             const auto in_all = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
                 return Vector{L::all(numbers[0].values[k]), L::all(numbers[1].values[k]),
                               L::all(numbers[2].values[k])};
             };
-            auto hit = test<L>(origin, direction,
-                               {in_all(block.corner), in_all(block.edge_b), in_all(block.edge_c)},
-                               rays.t_min);
+            auto hit = test<L>(
+                line, L::all(0),
+                {in_all(block.corners[0]), in_all(block.corners[1]), in_all(block.corners[2])},
+                error, [&](int lane) {
+                    return triangle_hit(one_of(rays, lane), block.corner(0, k), block.corner(1, k),
+                                        block.corner(2, k));
+                });
             hit.t = L::larger(hit.t, enter);
             offer(k, hit);
         }
@@ -168,6 +237,10 @@ struct alignas(64) PacketHits {
     std::int32_t object[kPacketLanes];
     std::int32_t primitive[kPacketLanes];
     float u[kPacketLanes], v[kPacketLanes];
+
+    [[nodiscard]] HWY_INLINE NearestOfRay of_one(int i, float& limit) {
+        return {limit, object[i], primitive[i], u[i], v[i]};
+    }
 };
 
 /// Nearest hits of a packet; distances are the rays' limits.
@@ -176,21 +249,20 @@ struct ClosestOfPacket : PacketQuery {
     PacketHits& hits;
 
     [[nodiscard]] HWY_INLINE ClosestOfRay of_one(int i) const {
-        return {tree,      ray(i),   rays.limit[i], hits.object[i], hits.primitive[i],
-                hits.u[i], hits.v[i]};
+        return {all, one_of(rays, i), hits.of_one(i, rays.limit[i])};
     }
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const PacketRays::Entry& entry) const {
         using L = PacketLanes;
         const PacketTag d;
         const L::IntTag di;
-        const TriangleNames& names = tree.names[leaf];
+        const TriangleNames& names = all.tree.names[leaf];
         test_leaf(leaf, entry, [&](int k, const kernels::HitIn<L>& hit) HWY_ATTR {
             const auto limit = hn::Load(d, rays.limit);
             if (L::none(L::both(hit.valid, L::is_at_most(hit.t, limit)))) {
                 return;
             }
-            const auto object = L::all_int(names.object.values[k]);
+            const auto object = L::all_int(names.object.values[k] + all.first_object);
             const auto number = L::all_int(names.number.values[k]);
             const auto old_object = hn::Load(di, hits.object);
             const auto old_number = hn::Load(di, hits.primitive);
@@ -212,7 +284,9 @@ struct ClosestOfPacket : PacketQuery {
 struct AnyOfPacket : PacketQuery {
     static constexpr Order kOrder = Order::any;
 
-    [[nodiscard]] HWY_INLINE AnyOfRay of_one(int i) const { return {tree, ray(i), rays.limit[i]}; }
+    [[nodiscard]] HWY_INLINE AnyOfRay of_one(int i) const {
+        return {all.tree, one_of(rays, i), rays.limit[i]};
+    }
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const PacketRays::Entry& entry) const {
         using L = PacketLanes;
@@ -229,3 +303,5 @@ struct AnyOfPacket : PacketQuery {
 
 }  // namespace carom::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

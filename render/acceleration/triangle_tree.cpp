@@ -3,46 +3,61 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "render/geometry/ray.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::render {
 namespace {
 
-/// By how much slabs are widened for the rounding of distances, as a fraction of the coordinates:
-/// an eighth of the distance at which rays start off their surface.
+/// By how much slabs are widened for the rounding of distances, as a fraction
+/// of the coordinates: an eighth of the distance at which rays start off their
+/// surface.
 constexpr float kSlabMargin = kOffsetFraction / 8;
 
-/// The rounding of the distance of a hit, as a fraction of coordinates, for a triangle with a right
-/// angle.
+/// The rounding of the distance of a hit, as a fraction of coordinates, for a
+/// triangle with a right angle.
 constexpr float kHitRounding = 0x1p-20f;
 
-/// By how much a triangle's angle at its first corner enlarges that. Triangles without area are
-/// never hit.
+/// By how much a triangle's angle at its first corner enlarges that. Triangles
+/// without area are never hit.
 float enlargement(const V3f& edge_b, const V3f& edge_c) {
     const float area = (edge_b % edge_c).length();
     return area > 0 ? edge_b.length() * edge_c.length() / area : 1.f;
 }
 
-/// The slab of the first `count` triangles of a block, along the mean of their normals.
-LeafSlab slab_of(const TriangleBlock& block, std::uint32_t count) {
-    const auto vector = [](const FloatLanes(&lanes)[3], std::uint32_t lane) {
-        return V3f(lanes[0].values[lane], lanes[1].values[lane], lanes[2].values[lane]);
-    };
+/// The sum of the sizes of coordinates.
+float size_of(const V3f& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+using Corners = std::array<V3f, 3>;
+
+bool has_area(const Corners& corners) {
+    const Vec3 a(corners[0]);
+    return (Vec3(corners[1]) - a).cross(Vec3(corners[2]) - a) != Vec3(0, 0, 0);
+}
+
+/// The slab of a leaf's triangles, along the mean of their normals.
+LeafSlab slab_of(std::span<const Corners> triangles) {
     V3f sum(0, 0, 0);
-    for (std::uint32_t lane = 0; lane < count; ++lane) {
-        const V3f normal = vector(block.edge_b, lane) % vector(block.edge_c, lane);
+    for (const auto& [a, b, c] : triangles) {
+        const V3f normal = (b - a) % (c - a);
         sum += sum.dot(normal) < 0 ? -normal : normal;
     }
-    LeafSlab slab{sum.length() > 0 ? sum.normalized() : V3f(0, 0, 1), kInfinity, -kInfinity, 0,
-                  kHitRounding};
-    for (std::uint32_t lane = 0; lane < count; ++lane) {
-        const V3f a = vector(block.corner, lane);
-        slab.rounding = std::max(
-            slab.rounding,
-            kHitRounding * enlargement(vector(block.edge_b, lane), vector(block.edge_c, lane)));
-        for (const V3f& corner :
-             {a, a + vector(block.edge_b, lane), a + vector(block.edge_c, lane)}) {
+    LeafSlab slab{sum.length() > 0 ? sum.normalized() : V3f(0, 0, 1),
+                  kInfinity,
+                  -kInfinity,
+                  0,
+                  kHitRounding,
+                  0};
+    for (const Corners& corners : triangles) {
+        const V3f edge_b = corners[1] - corners[0];
+        const V3f edge_c = corners[2] - corners[0];
+        slab.rounding = std::max(slab.rounding, kHitRounding * enlargement(edge_b, edge_c));
+        slab.edge = std::max({slab.edge, size_of(edge_b), size_of(edge_c)});
+        for (const V3f& corner : corners) {
             const float height = slab.normal.dot(corner);
             slab.low = std::min(slab.low, height);
             slab.high = std::max(slab.high, height);
@@ -64,13 +79,15 @@ V3f corner_of(std::span<const MeshEntry> meshes, const Place& place, std::size_t
     return mesh.vertices[mesh.triangles[place.number][k]];
 }
 
-/// How many triangles may have the same box without being looked at more closely: a leaf's.
+/// How many triangles may have the same box without being looked at more
+/// closely: a leaf's.
 constexpr std::size_t kFewEqual = kBlockLanes;
 
-/// Removes triangles that have exactly the corners of an earlier one of the same mesh, if there are
-/// many: every ray that meets the first one would be tested against all. None of them is ever seen,
-/// because of hits at the same distance the first counts. Returns whether some were removed.
-/// `order` is the tree's, in which triangles with the same box are neighbours.
+/// Removes triangles that have exactly the corners of an earlier one of the
+/// same mesh, if there are many: every ray that meets the first one would be
+/// tested against all. None of them is ever seen, because of hits at the same
+/// distance the first counts. Returns whether some were removed. `order` is the
+/// tree's, in which triangles with the same box are neighbours.
 bool remove_repeated(std::span<const MeshEntry> meshes, std::span<const std::uint32_t> order,
                      std::vector<Place>& places, std::vector<MovingBounds>& bounds) {
     const auto key = [&](std::uint32_t item) {
@@ -116,6 +133,36 @@ bool remove_repeated(std::span<const MeshEntry> meshes, std::span<const std::uin
     return any;
 }
 
+constexpr std::size_t kLeavesTogether = 1024;  // that a thread fills
+
+void fill_leaf(std::span<const MeshEntry> meshes, const std::vector<Place>& places,
+               std::size_t index, TriangleTree& tree) {
+    const WideLeaf& leaf = tree.tree.leaves[index];
+    TriangleBlock& block = tree.blocks[index];
+    for (FloatLanes(&axes)[3] : block.corners) {
+        for (FloatLanes& lanes : axes) {
+            std::fill_n(lanes.values, kBlockLanes, std::numeric_limits<float>::quiet_NaN());
+        }
+    }
+    std::array<Corners, kBlockLanes> triangles;
+    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+        const Place& place = places[tree.tree.order[leaf.first + lane]];
+        Corners& corners = triangles[lane];
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = corner_of(meshes, place, k);
+        }
+        for (std::size_t k = 0; k < 3 && has_area(corners); ++k) {
+            for (int axis = 0; axis < 3; ++axis) {
+                block.corners[k][axis].values[lane] = corners[k][axis];
+            }
+        }
+        TriangleNames& names = tree.names[index];
+        names.object.values[lane] = static_cast<std::int32_t>(meshes[place.mesh].object);
+        names.number.values[lane] = static_cast<std::int32_t>(place.number);
+    }
+    tree.slabs[index] = slab_of(std::span(triangles).first(leaf.count));
+}
+
 }  // namespace
 
 TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
@@ -142,29 +189,16 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
     if (remove_repeated(meshes, result.tree.order, places, bounds)) {
         result.tree = build_wide_tree(bounds);
     }
-    result.slabs.reserve(result.tree.leaves.size());
-    result.blocks.reserve(result.tree.leaves.size());
-    result.names.reserve(result.tree.leaves.size());
-    for (const WideLeaf& leaf : result.tree.leaves) {
-        TriangleBlock block;
-        TriangleNames names;
-        for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-            const Place& place = places[result.tree.order[leaf.first + lane]];
-            const V3f a = corner(place, 0);
-            const V3f b = corner(place, 1) - a;
-            const V3f c = corner(place, 2) - a;
-            for (int axis = 0; axis < 3; ++axis) {
-                block.corner[axis].values[lane] = a[axis];
-                block.edge_b[axis].values[lane] = b[axis];
-                block.edge_c[axis].values[lane] = c[axis];
-            }
-            names.object.values[lane] = static_cast<std::int32_t>(meshes[place.mesh].object);
-            names.number.values[lane] = static_cast<std::int32_t>(place.number);
+    const std::size_t leaves = result.tree.leaves.size();
+    result.slabs.resize(leaves);
+    result.blocks.resize(leaves);
+    result.names.resize(leaves);
+    parallel_for((leaves + kLeavesTogether - 1) / kLeavesTogether, [&](std::size_t part) {
+        const std::size_t end = std::min(leaves, (part + 1) * kLeavesTogether);
+        for (std::size_t i = part * kLeavesTogether; i < end; ++i) {
+            fill_leaf(meshes, places, i, result);
         }
-        result.slabs.push_back(slab_of(block, leaf.count));
-        result.blocks.push_back(block);
-        result.names.push_back(names);
-    }
+    });
     return result;
 }
 

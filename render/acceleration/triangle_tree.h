@@ -15,10 +15,15 @@
 
 namespace carom::render {
 
-/// Eight triangles. Unused lanes hold a degenerate triangle, which no ray hits.
+/// Eight triangles. Unused lanes, and those of triangles without area, are not numbers, which no
+/// ray hits.
 struct alignas(64) TriangleBlock {
-    FloatLanes corner[3];  // by axis
-    FloatLanes edge_b[3], edge_c[3];
+    FloatLanes corners[3][3];  // by axis
+
+    [[nodiscard]] V3f corner(std::size_t k, int lane) const {
+        const auto& axes = corners[k];
+        return {axes[0].values[lane], axes[1].values[lane], axes[2].values[lane]};
+    }
 };
 
 /// Objects and indices of a block's triangles.

@@ -1,4 +1,5 @@
-// A bounding volume hierarchy with eight children per node, over anything that has bounds.
+// A bounding volume hierarchy with eight children per node, over anything that
+// has bounds.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +13,8 @@
 
 namespace carom::render {
 
-/// The boxes of eight children at the shutter's opening. Lanes without a child hold a box that no
-/// ray enters.
+/// The boxes of eight children at the shutter's opening. Lanes without a child
+/// hold a box that no ray enters.
 struct alignas(64) WideNode {
     FloatLanes planes[3][2];     // axis; low, high
     std::int32_t children[8]{};  // > 0: a node; < 0: the leaf -1 - child; 0: none
@@ -47,14 +48,18 @@ struct WideTree {
            tree.leaves.size() * sizeof(WideLeaf);
 }
 
-/// Bound on the number of waiting children in a traversal: seven for each level.
+/// Bound on the number of waiting children in a traversal: seven for each
+/// level.
 inline constexpr int kWideTreeDepth = 80;
 
-/// Built with the surface area heuristic on the boxes at the middle of the shutter, with 32 bins
-/// per axis (16 for few items) (MacDonald and Booth 1990; Wald 2007, "On fast construction of
-/// SAH-based bounding volume hierarchies"). The cost of a leaf is the number of vectors of eight
-/// that it fills (Wald, Benthin and Boulos 2008, "Getting rid of packets"). The same items give the
-/// same tree.
-[[nodiscard]] WideTree build_wide_tree(std::span<const MovingBounds> items);
+/// Built with the surface area heuristic on the boxes at the middle of the
+/// shutter, with 32 bins per axis (16 for few items) (MacDonald and Booth 1990;
+/// Wald 2007, "On fast construction of SAH-based bounding volume hierarchies").
+/// The cost of a leaf is the number of vectors of eight that it fills (Wald,
+/// Benthin and Boulos 2008, "Getting rid of packets"); with smaller leaves, of
+/// as many items. The same items give the same tree, on
+/// any number of threads.
+[[nodiscard]] WideTree build_wide_tree(std::span<const MovingBounds> items,
+                                       std::uint32_t largest_leaf = kBlockLanes);
 
 }  // namespace carom::render

@@ -36,11 +36,21 @@ class Faces {
     std::vector<Triangle> triangles_;
 };
 
-std::vector<Triangle> of_mesh(const TriangleMesh& mesh) {
+std::vector<Triangle> of_mesh(const SceneObject& object) {
+    const TriangleMesh& mesh = *object.mesh;
+    const bool is_mirrored =
+        object.mesh_is_mapped && object.frame.world_from_unit.linear.determinant() < 0;
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.triangles.size());
-    for (const auto& [a, b, c] : mesh.triangles) {
-        triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    for (const auto& corners : mesh.triangles) {
+        Triangle triangle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            triangle[k] = object.place_of_vertex(mesh.vertices[corners[k]]);
+        }
+        if (is_mirrored) {
+            std::swap(triangle[1], triangle[2]);
+        }
+        triangles.push_back(triangle);
     }
     return triangles;
 }
@@ -54,7 +64,7 @@ std::vector<Triangle> flat_faces(const StaticGeometry& geometry, std::uint32_t i
     const V3f z(0, 0, 1);
     Faces faces(object.frame);
     if (object.kind == ShapeKind::mesh) {
-        return of_mesh(*object.mesh);
+        return of_mesh(object);
     }
     if (object.kind == ShapeKind::rectangle) {
         faces.add_square(V3f(0, 0, 0), x, y, z);

@@ -62,7 +62,7 @@ void add_spheres(ShapeSet& shapes, const RigidMotion& motion, float radius, std:
 
 /// Flat shapes touch the sides of their boxes.
 Imath::Box3f bounds_of(const SceneObject& object, const RigidMotion& motion) {
-    if (object.kind == ShapeKind::mesh || object.kind == ShapeKind::plane) {
+    if (object.kind == ShapeKind::plane) {
         return swept_bounds(motion, object.bounding_radius);
     }
     V3f half_size(1);
@@ -77,7 +77,7 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
         add_spheres(shapes, *motion, object.half_size.x, index);
         return;
     }
-    if (motion->is_static() && object.kind != ShapeKind::mesh) {
+    if (motion->is_static()) {
         const UnitFrame frame =
             placed(object.frame, motion->position(0), motion->world_from_body(0));
         add_static_shape(shapes, object, index, frame);
@@ -88,7 +88,6 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
     shape.unit_from_body = object.frame.unit_from_world;
     shape.parameters = object.parameters;
     shape.motion = motion;
-    shape.mesh = geometry.tracked_meshes[index];
     shape.bounds = bounds_of(object, *motion);
     shape.object = index;
     shapes.moving.push_back(std::move(shape));
@@ -99,9 +98,15 @@ using Motions = std::vector<std::shared_ptr<const RigidMotion>>;
 ShapeSet with_movers(ShapeSet shapes, const StaticGeometry::Data& geometry,
                      const Motions& motions) {
     for (std::uint32_t i = 0; i < geometry.objects.size(); ++i) {
-        if (motions[i]) {
+        if (motions[i] && geometry.objects[i].kind != ShapeKind::mesh) {
             add_moving(shapes, geometry, i, motions[i]);
         }
+    }
+    for (MeshInstance instance : geometry.tracked_instances) {
+        instance.motion = motions[instance.object];
+        instance.bounds =
+            swept_bounds(*instance.motion, geometry.objects[instance.object].bounding_radius);
+        shapes.instances.push_back(std::move(instance));
     }
     return shapes;
 }

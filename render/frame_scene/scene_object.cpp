@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "render/geometry/mesh_file.h"
-#include "render/geometry/smooth_normals.h"
+#include "render/frame_scene/mesh_library.h"
 #include "render/light/area_light.h"
 
 namespace carom::render {
@@ -187,35 +186,14 @@ double length_of_translation(const Mat44& m) {
     return Vec3(m[3][0], m[3][1], m[3][2]).length();
 }
 
-const MeshShape& loaded(const MeshShape& shape, MeshFiles& files) {
-    if (shape.file.empty()) {
-        return shape;
-    }
-    const auto known = files.find(shape.file);
-    return known != files.end() ? known->second
-                                : files.emplace(shape.file, read_mesh(shape.file)).first->second;
-}
-
-void set_mesh(SceneObject& object, const MeshShape& shape, const Mat44& map, MeshFiles& files) {
-    TriangleMesh mesh = make_mesh(loaded(shape, files), map, object.name);
-    if (shape.smooth_angle > 0) {
-        smooth_normals(mesh, shape.smooth_angle);
-    }
-    object.mesh = std::make_shared<TriangleMesh>(std::move(mesh));
-    object.bounding_radius = 0;
-    for (const V3f& vertex : object.mesh->vertices) {
-        object.bounding_radius = std::max(object.bounding_radius, vertex.length());
-    }
-}
+}  // namespace
 
 UnitFrame frame_of(const Mat44& world_from_unit) {
     return {Affine::narrowed(world_from_unit.inverse()), Affine::narrowed(world_from_unit)};
 }
 
-}  // namespace
-
 SceneObject make_object(const ObjectDescription& description, std::uint32_t material,
-                        bool has_texture, MeshFiles& files) {
+                        bool has_texture, MeshLibrary& meshes) {
     SceneObject object;
     object.name = description.name;
     object.track = description.track;
@@ -235,8 +213,8 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
     object.bounding_radius = static_cast<float>(offset + bounding_radius_of(unit, world_from_unit));
     object.frame = frame_of(world_from_unit);
     object.metres_from_world = Affine::narrowed(world_from_object.inverse() * scaling(scale));
-    if (const auto* mesh = std::get_if<MeshShape>(&description.shape)) {
-        set_mesh(object, *mesh, world_from_object, files);
+    if (object.kind == ShapeKind::mesh) {
+        meshes.give(object, description);
     }
     return object;
 }

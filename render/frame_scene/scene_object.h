@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,24 +31,30 @@ struct SceneObject {
     bool is_one_sided = false;    // a rectangle light
     V3f half_size{1, 1, 1};       // m: lengths of the unit shape's axes, so a sphere's radii
     float bounding_radius = 1;    // largest distance of its surface from the body's origin, m
-    UnitFrame frame;              // of analytic shapes
+    UnitFrame frame;              // of analytic shapes, and of meshes with axes of their own
     Affine metres_from_world;     // object axes in metres, scaled; with a track: from the body's
     V3f parameters{0, 0, 0};      // of the unit shape (shape_list.h)
     std::shared_ptr<const TriangleMesh> mesh;  // static: world axes; with a track: body axes
+    bool mesh_is_mapped = false;               // by `frame`, from axes of the mesh's own
 
     [[nodiscard]] bool is_tracked() const { return !track.empty(); }
+    /// Of the mesh, in the axes of the world or the body.
+    [[nodiscard]] V3f place_of_vertex(const V3f& vertex) const {
+        return mesh_is_mapped ? frame.world_from_unit.point(vertex) : vertex;
+    }
 };
 
-/// MeshShapes read from files, by path.
-using MeshFiles = std::map<std::string, MeshShape>;
+class MeshLibrary;  // mesh_library.h
 
 /// Throws Error that names the object.
 [[nodiscard]] SceneObject make_object(const ObjectDescription& description, std::uint32_t material,
-                                      bool has_texture, MeshFiles& files);
+                                      bool has_texture, MeshLibrary& meshes);
 
 /// The object of a light with a surface; none for other lights.
 [[nodiscard]] std::optional<SceneObject> make_light_object(const LightDescription& description,
                                                            std::uint32_t light);
+
+[[nodiscard]] UnitFrame frame_of(const Mat44& world_from_unit);
 
 /// The frame in world axes of a shape whose body has the given pose.
 [[nodiscard]] UnitFrame placed(const UnitFrame& in_body, const V3f& position,

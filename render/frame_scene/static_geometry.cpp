@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "core/assert.h"
 #include "core/error.h"
 #include "render/acceleration/hybrid_structure.h"
+#include "render/frame_scene/mesh_library.h"
 #include "render/frame_scene/static_geometry_data.h"
 
 namespace carom::render {
@@ -66,11 +68,11 @@ void add_mapped(BlockList<Shape>& list, const SceneObject& object, std::uint32_t
 }
 
 void add_objects(StaticGeometry::Data& data, const SceneDescription& scene) {
-    MeshFiles files;
+    MeshLibrary meshes(scene, !data.maker);
     for (const ObjectDescription& object : scene.objects) {
         const std::uint32_t material = find_material(scene, object);
         data.objects.push_back(
-            make_object(object, material, has_texture(scene.materials[material]), files));
+            make_object(object, material, has_texture(scene.materials[material]), meshes));
     }
     for (std::uint32_t light = 0; light < scene.lights.size(); ++light) {
         data.object_of_light.emplace_back();
@@ -84,15 +86,41 @@ void add_objects(StaticGeometry::Data& data, const SceneDescription& scene) {
     }
 }
 
+/// Around a mesh, widened for the rounding of its map and of rays in its axes.
+Imath::Box3f bounds_of_mesh(const SceneObject& object) {
+    Imath::Box3f box;
+    for (const V3f& vertex : object.mesh->vertices) {
+        box.extendBy(object.place_of_vertex(vertex));
+    }
+    const V3f margin(kOffsetFraction * object.bounding_radius);
+    return {box.min - margin, box.max + margin};
+}
+
 void add_meshes(StaticGeometry::Data& data) {
-    data.tracked_meshes.resize(data.objects.size());
+    std::map<const TriangleMesh*, std::shared_ptr<const TriangleTree>> trees;
     for (std::uint32_t i = 0; i < data.objects.size(); ++i) {
         const SceneObject& object = data.objects[i];
-        if (object.kind == ShapeKind::mesh && object.is_tracked()) {
-            const MeshEntry entry{object.mesh.get(), 0};
-            data.tracked_meshes[i] = std::make_shared<TriangleScene>(std::span(&entry, 1));
-        } else if (object.kind == ShapeKind::mesh) {
+        if (object.kind != ShapeKind::mesh) {
+            continue;
+        }
+        if (!object.is_tracked() && !object.mesh_is_mapped) {
             data.static_meshes.push_back({object.mesh.get(), i});
+            continue;
+        }
+        std::shared_ptr<const TriangleTree>& tree = trees[object.mesh.get()];
+        if (!tree) {
+            const MeshEntry entry{object.mesh.get(), 0};
+            tree = std::make_shared<const TriangleTree>(make_triangle_tree(std::span(&entry, 1)));
+        }
+        MeshInstance instance{tree, {}, nullptr, {}, i};
+        if (object.mesh_is_mapped) {
+            instance.mesh_from_body = object.frame.unit_from_world;
+        }
+        if (object.is_tracked()) {
+            data.tracked_instances.push_back(instance);
+        } else {
+            instance.bounds = bounds_of_mesh(object);
+            data.static_shapes.instances.push_back(instance);
         }
     }
     if (!data.static_meshes.empty() && !data.maker) {
@@ -102,7 +130,6 @@ void add_meshes(StaticGeometry::Data& data) {
 
 }  // namespace
 
-// Meshes are left out; the shared triangle scene contains them.
 void add_static_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
                       const UnitFrame& frame) {
     if (object.is_round) {
@@ -131,14 +158,16 @@ StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettin
     add_objects(*data, scene);
     add_meshes(*data);
     for (std::uint32_t i = 0; i < data->objects.size(); ++i) {
-        if (!data->objects[i].is_tracked()) {
-            add_static_shape(data->static_shapes, data->objects[i], i, data->objects[i].frame);
+        const SceneObject& object = data->objects[i];
+        if (!object.is_tracked() && object.kind != ShapeKind::mesh) {
+            add_static_shape(data->static_shapes, object, i, object.frame);
         }
     }
     if (!data->maker && loop_cost(data->static_shapes) >= kTreeThreshold) {
         data->static_tree =
             std::make_shared<const AnalyticTree>(make_analytic_tree(data->static_shapes));
         data->outside_tree = infinite_shapes(data->static_shapes);
+        data->outside_tree.instances = data->static_shapes.instances;
         data->outside_tree.meshes = data->static_shapes.meshes;
     }
     data_ = std::move(data);

@@ -16,15 +16,15 @@ struct StaticGeometry::Data {
     StructureMaker maker;              // empty: the frames have a HybridStructure
     std::vector<SceneObject> objects;  // those of the scene, then lights
     std::vector<std::optional<std::uint32_t>> object_of_light;
-    std::vector<std::shared_ptr<const TriangleScene>> tracked_meshes;  // by object; may be null
-    std::vector<MeshEntry> static_meshes;
+    std::vector<MeshEntry> static_meshes;  // those that are not among the instances
     ShapeSet static_shapes;
+    std::vector<MeshInstance> tracked_instances;  // without motion and bounds
     // For many static shapes: a tree over them, and those that the tree cannot hold.
     std::shared_ptr<const AnalyticTree> static_tree;
     ShapeSet outside_tree;
 };
 
-/// Adds the shape of a static object.
+/// Adds the shape of a static object, which is not a mesh.
 void add_static_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
                       const UnitFrame& frame);
 

@@ -36,9 +36,12 @@ Point point_of_sphere(const SceneObject& object, const RigidMotion* motion, cons
 }
 
 Point point_of_mesh(const SceneObject& object, const Hit& hit) {
-    Point point = scalar::point_on_mesh<One>(arrays_of(*object.mesh),
-                                             static_cast<std::int32_t>(hit.primitive), hit.u, hit.v,
-                                             object.has_texture);
+    const scalar::MeshHitOf<One> on_mesh{static_cast<std::int32_t>(hit.primitive), hit.u, hit.v};
+    const scalar::MeshPlaceOf<One> place{scalar::affine_of<One>(object.frame.world_from_unit),
+                                         scalar::affine_of<One>(object.frame.unit_from_world)};
+    Point point =
+        scalar::point_on_mesh<One>(arrays_of(*object.mesh), on_mesh,
+                                   object.mesh_is_mapped ? &place : nullptr, object.has_texture);
     if (object.has_texture) {
         point.object_position =
             scalar::affine_of<One>(object.metres_from_world).point(point.position);

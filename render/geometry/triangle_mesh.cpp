@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -33,11 +34,40 @@ void check_sizes(const MeshShape& shape, const std::string& name) {
     }
 }
 
-/// A normal that is zero or not finite becomes zero, for which shading uses the triangle's own
-/// normal.
-V3f unit_or_zero(const V3f& n) {
-    const float length = n.length();
-    return std::isfinite(length) && length > 0 ? n / length : V3f(0, 0, 0);
+/// 0 for a normal that is zero or not finite: it is missing.
+Vec3 unit_or_zero(const Vec3& n) {
+    const double length = n.length();
+    return std::isfinite(length) && length > 0 ? n / length : Vec3(0, 0, 0);
+}
+
+/// The shape's normals. Those that are behind all triangles of their vertex are turned around, and
+/// vertices without a normal get the mean of their triangles', weighted by area. In the shape's own
+/// axes, so that equal shapes have equal normals wherever they are. The indices are valid.
+std::vector<Vec3> mended_normals(const MeshShape& shape) {
+    std::vector<Vec3> normals;
+    normals.reserve(shape.normals.size());
+    for (const Vec3& normal : shape.normals) {
+        normals.push_back(unit_or_zero(normal));
+    }
+    std::vector<bool> is_behind_all(normals.size(), true);
+    std::vector<Vec3> sums(normals.size(), Vec3(0, 0, 0));
+    for (const auto& triangle : shape.triangles) {
+        const Vec3& a = shape.vertices[triangle[0]];
+        const Vec3 across =
+            (shape.vertices[triangle[1]] - a).cross(shape.vertices[triangle[2]] - a);
+        for (const std::uint32_t vertex : triangle) {
+            is_behind_all[vertex] = is_behind_all[vertex] && across.dot(normals[vertex]) < 0;
+            sums[vertex] += across;
+        }
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        if (normals[i] == Vec3(0, 0, 0)) {
+            normals[i] = unit_or_zero(sums[i]);
+        } else if (is_behind_all[i]) {
+            normals[i] = -normals[i];
+        }
+    }
+    return normals;
 }
 
 }  // namespace
@@ -53,13 +83,6 @@ TriangleMesh make_mesh(const MeshShape& shape, const Mat44& map, const std::stri
         if (!is_finite(mesh.vertices.back())) {
             refuse(name, fmt::format("vertex {} is not a finite point", i));
         }
-    }
-    const Mat44 normal_map = map.inverse().transposed();
-    mesh.normals.reserve(shape.normals.size());
-    for (const Vec3& normal : shape.normals) {
-        Vec3 n;
-        normal_map.multDirMatrix(normal, n);
-        mesh.normals.push_back(unit_or_zero(V3f(n.normalized())));
     }
     mesh.uv.reserve(shape.uv.size());
     for (const Vec2& uv : shape.uv) {
@@ -78,6 +101,15 @@ TriangleMesh make_mesh(const MeshShape& shape, const Mat44& map, const std::stri
         }
         if (mirrors) {
             std::swap(triangle[1], triangle[2]);
+        }
+    }
+    if (!shape.normals.empty()) {
+        const Mat44 normal_map = map.inverse().transposed();
+        mesh.normals.reserve(shape.normals.size());
+        for (const Vec3& normal : mended_normals(shape)) {
+            Vec3 n;
+            normal_map.multDirMatrix(normal, n);
+            mesh.normals.emplace_back(unit_or_zero(n));
         }
     }
     return mesh;

@@ -15,7 +15,7 @@ namespace carom::render {
 /// entry per vertex, or none. Every index is valid and every number finite.
 struct TriangleMesh {
     std::vector<V3f> vertices;
-    std::vector<V3f> normals;  // unit
+    std::vector<V3f> normals;  // unit, or 0 without an adjacent triangle that has an area
     std::vector<V2f> uv;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
@@ -42,8 +42,10 @@ inline constexpr std::size_t kMaxMeshTriangles = 64'000'000;
 inline constexpr std::size_t kMaxMeshVertices = 64'000'000;
 
 /// The shape's arrays, mapped by `map` and rounded to float once. If the map is a reflection, the
-/// order of corners is reversed, so that they stay counter-clockwise. Throws Error with `name` if
-/// an index, a number or an array's length is invalid, or if the mesh has no triangle.
+/// order of corners is reversed, so that they stay counter-clockwise. Normals of any length, or
+/// none, or behind all of their triangles, become unit vectors in front of one of them. Throws
+/// Error with `name` if an index, a number or an array's length is invalid, or if the mesh has no
+/// triangle.
 [[nodiscard]] TriangleMesh make_mesh(const MeshShape& shape, const Mat44& map,
                                      const std::string& name);
 

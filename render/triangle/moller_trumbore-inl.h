@@ -24,6 +24,7 @@ using render::HWY_NAMESPACE::Vec3;
 // clang-format off
 #include "render/triangle/kernels/common.h"
 #include "render/triangle/kernels/moller_trumbore.h"
+#include "render/triangle/kernels/watertight.h"
 // clang-format on
 
 #undef CAROM_KERNEL

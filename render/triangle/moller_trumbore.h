@@ -21,6 +21,7 @@ using render::scalar::dot;
 // clang-format off
 #include "render/triangle/kernels/common.h"
 #include "render/triangle/kernels/moller_trumbore.h"
+#include "render/triangle/kernels/watertight.h"
 // clang-format on
 
 #undef CAROM_KERNEL
@@ -29,15 +30,13 @@ using render::scalar::dot;
 
 namespace carom::render {
 
-/// Tests both sides, in (ray.t_min, ray.t_max). The vectorised test gives the same bits.
-[[nodiscard]] inline std::optional<triangle::scalar::HitIn<ScalarLanes<float>>> moller_trumbore(
-    const Ray& ray, const V3f& a, const V3f& b, const V3f& c) {
-    using Kernel = triangle::scalar::MollerTrumbore;
-    using L = ScalarLanes<float>;
-    const auto hit = Kernel::intersect<triangle::Division::early>(
-        triangle::scalar::RayIn<L>{ray.origin, ray.direction, ray.t_min, ray.t_max},
-        Kernel::prepare(triangle::scalar::Corners<L>{a, b, c}));
-    return hit.valid ? std::optional(hit) : std::nullopt;
-}
+using TriangleHit = triangle::scalar::HitIn<ScalarLanes<float>>;
+
+/// Tests both sides, in (ray.t_min, ray.t_max), so that no ray passes between triangles with a
+/// common edge: where rounding might have changed the answer of Möller and Trumbore's test, the
+/// signs of exactly opposite numbers decide (watertight_triangle.cpp). The vectorised test gives
+/// the same bits.
+[[nodiscard]] std::optional<TriangleHit> triangle_hit(const Ray& ray, const V3f& a, const V3f& b,
+                                                      const V3f& c);
 
 }  // namespace carom::render

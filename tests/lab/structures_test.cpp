@@ -126,6 +126,7 @@ RandomScene everything(int fixed, int moving, int meshes) {
     RandomScene scene;
     scene.add_static(random, fixed);
     scene.add_moving(random, moving);
+    scene.add_instances(random, moving);
     scene.add_static_meshes(random, meshes);
     return scene;
 }

@@ -9,6 +9,9 @@ struct SurfacePointOf {
     Vec2Of<L> uv;
     Vec3Of<L> u_gradient, v_gradient;
     Vec2Of<L> uv_metres;
+    /// Of a mesh with normals: how far the curved surface that they describe is in front of the
+    /// triangle, and behind it, m.
+    ValueOf<L> rise, fall;
 };
 
 /// Of a surface without a texture.

@@ -57,8 +57,10 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     group.needs_uv = texture == TextureKind::image;
     if (group.kind == WaveGroup::Kind::mesh) {
         group.mesh = arrays_of(*object.mesh);
-        group.metres_from_world = object.metres_from_world;
-        group.bounding_radius = object.bounding_radius;
+        group.mesh_is_mapped = object.mesh_is_mapped;
+        // Through glass rays start on both sides, and light of a surface comes from its triangles.
+        group.is_curved =
+            !object.mesh->normals.empty() && !material.is_transmissive() && !material.is_emissive();
     }
     return group;
 }

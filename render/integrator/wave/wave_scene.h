@@ -66,8 +66,8 @@ struct WaveMaterials {
     NumberRows classic;  // ClassicOf, of distributed ray tracing
 };
 
-/// Objects of one kind of shape and one material, whose hits are completed together; a mesh is a
-/// group of its own.
+/// Objects of one kind of shape and one material, whose hits are completed together; of meshes
+/// those that are equal.
 struct WaveGroup {
     /// Round spheres, boxes at rest along the world's axes, unit shapes under an affine map, and
     /// meshes.
@@ -82,8 +82,8 @@ struct WaveGroup {
     bool has_texture = false;  // otherwise the colour is constant
     bool needs_uv = false;
     MeshArrays mesh;
-    Affine metres_from_world;   // of a mesh
-    float bounding_radius = 0;  // of a mesh
+    bool mesh_is_mapped = false;  // from axes of its own
+    bool is_curved = false;       // rays start at the surface that the mesh's normals describe
 
     template <class Visit>
     void each_list(const Visit& visit) {

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/shapes.h"
 #include "render/acceleration/triangle_scene.h"
+#include "render/acceleration/triangle_tree.h"
 #include "tests/render/pose_matrix.h"
 #include "tests/render/statistics.h"
 
@@ -161,6 +163,8 @@ struct RandomScene {
     render::ShapeSet shapes;
     std::vector<std::unique_ptr<render::TriangleMesh>> meshes;
     std::vector<render::MeshEntry> static_meshes;
+    std::shared_ptr<const render::TriangleTree> ball;  // of all instances
+    const render::TriangleMesh* ball_mesh = nullptr;
     std::uint32_t object_count = 0;
 
     void add_static(TestRandom& random, int count) {
@@ -222,17 +226,56 @@ struct RandomScene {
                 // A capsule's only measure is half the length of its axis, which is z.
                 const V3f core =
                     kind == Kind::capsule ? V3f(0, 0, shape.parameters.x) : shape.parameters;
-                float bounding_radius = half_size.length() + (half_size * core).length();
+                const float bounding_radius = half_size.length() + (half_size * core).length();
                 if (kind == Kind::mesh) {
-                    meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
-                    const render::MeshEntry entry{meshes.back().get(), 0};
-                    shape.mesh = std::make_shared<render::TriangleScene>(std::span(&entry, 1));
-                    bounding_radius = 0.25f;
+                    add_instance({}, own);
+                    continue;
                 }
                 shape.bounds = render::swept_bounds(*shape.motion, bounding_radius);
                 shape.object = object_count++;
                 shapes.moving.push_back(shape);
             }
+        }
+    }
+
+    /// A ball of which there is one tree for all. `mesh_from_body`: none, or from axes of its own.
+    void add_instance(const std::optional<Mat44>& body_from_mesh,
+                      const std::shared_ptr<const render::RigidMotion>& motion) {
+        if (!ball) {
+            meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
+            const render::MeshEntry entry{meshes.back().get(), 0};
+            ball = std::make_shared<const render::TriangleTree>(
+                render::make_triangle_tree(std::span(&entry, 1)));
+            ball_mesh = meshes.back().get();
+        }
+        render::MeshInstance instance{ball, {}, motion, {}, object_count++};
+        const Affine map = Affine::narrowed(body_from_mesh.value_or(Mat44()));
+        if (body_from_mesh) {
+            instance.mesh_from_body = Affine::narrowed(body_from_mesh->inverse());
+        }
+        float radius = 0;
+        for (const V3f& vertex : ball_mesh->vertices) {
+            instance.bounds.extendBy(map.point(vertex));
+            radius = std::max(radius, map.point(vertex).length());
+        }
+        if (motion) {
+            instance.bounds = render::swept_bounds(*motion, radius);
+        }
+        shapes.instances.push_back(instance);
+    }
+
+    /// Copies of a ball, at rest and in motion.
+    void add_instances(TestRandom& random, int count) {
+        for (int i = 0; i < count; ++i) {
+            Mat44 stretch;
+            stretch.setScale(Vec3(random_point(random, 0.5f) + V3f(1)));
+            stretch[0][1] = static_cast<double>(random.between(-0.3f, 0.3f));
+            const bool moves = i % 2 != 0;
+            const Vec3 place(random_point(random, moves ? 0.1f : 2));
+            add_instance(
+                stretch * render::pose_matrix({place, random_turn(random)}),
+                moves ? std::make_shared<const render::RigidMotion>(random_track(random, 2), 0, 1)
+                      : nullptr);
         }
     }
 

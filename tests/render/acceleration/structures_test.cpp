@@ -91,6 +91,15 @@ TEST(Structures, MovingShapes_SameHits) {
     expect_same_hits(scene, 100'000, 4);
 }
 
+TEST(Structures, InstancesOfOneMesh_SameHits) {
+    TestRandom random(31);
+    RandomScene scene;
+    scene.add_instances(random, 60);
+    scene.add_static(random, 2);
+    scene.add_static_meshes(random, 2);
+    expect_same_hits(scene, 100'000, 32);
+}
+
 /// The number of rays that get another answer in a batch than alone.
 int differing_in_batches(const AccelerationStructure& structure, int count, std::uint64_t seed) {
     TestRandom random(seed);
@@ -131,6 +140,7 @@ TEST(Structures, Batches_AreAnsweredAsTheirRays) {
     EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, 0), 20'000, 23), 0);
     EXPECT_EQ(differing_in_batches(Structures(scene).embree, 5'000, 24), 0);
     scene.add_static_meshes(random, 2);
+    scene.add_instances(random, 50);
     EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, kNeverATree), 20'000, 25), 0);
 }
 

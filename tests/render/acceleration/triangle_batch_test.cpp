@@ -1,7 +1,10 @@
 // Batches of rays against a tree of triangles: the same bits as for single rays, by brute force,
 // and on every instruction set.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <set>
@@ -11,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
+#include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/triangle_scene.h"
 #include "render/triangle/moller_trumbore.h"
 #include "tests/render/acceleration/owned_batch.h"
@@ -220,6 +224,35 @@ TEST(TriangleBatch, EveryInstructionSet_SameBits) {
     EXPECT_GE(kernels.size(), 2u);
 }
 
+TEST(InstanceBatch, EveryInstructionSet_SameBits) {
+    TestRandom random(12);
+    test::RandomScene scene;
+    scene.add_instances(random, 40);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 5'000; ++i) {
+        rays.push_back(test::random_ray_toward(random, 3, 2));
+    }
+    OwnedBatch batch(rays);
+    const auto bits = [&] {
+        std::vector<Hit> hits(rays.size());
+        HybridStructure(scene.shapes).closest_hits(batch.rays(), hits.data());
+        std::vector<std::array<float, 5>> numbers;
+        for (const Hit& hit : hits) {
+            numbers.push_back({hit.t, std::bit_cast<float>(hit.object),
+                               std::bit_cast<float>(hit.primitive), hit.u, hit.v});
+        }
+        return numbers;
+    };
+    const auto expected = bits();
+    EXPECT_GT(std::count_if(expected.begin(), expected.end(),
+                            [](const auto& hit) { return hit[0] < kInfinity; }),
+              500);
+    for_every_target([&] {
+        const auto now = bits();
+        EXPECT_EQ(std::memcmp(now.data(), expected.data(), now.size() * sizeof(now[0])), 0);
+    });
+}
+
 TEST(TriangleBatch, ManyRays_AgreeWithALoopOverTriangles) {
     const Meshes meshes;
     const TriangleScene scene(meshes.entries);
@@ -239,8 +272,8 @@ TEST(TriangleBatch, ManyRays_AgreeWithALoopOverTriangles) {
             for (std::uint32_t k = 0; k < entry.mesh->triangles.size(); ++k) {
                 const auto [a, b, c] = entry.mesh->triangles[k];
                 const std::vector<V3f>& at = entry.mesh->vertices;
-                const auto hit = moller_trumbore(
-                    {rays[i].origin, rays[i].direction, 0, nearest.t + 1}, at[a], at[b], at[c]);
+                const auto hit = triangle_hit({rays[i].origin, rays[i].direction, 0, nearest.t + 1},
+                                              at[a], at[b], at[c]);
                 const bool is_lower = hit && hit->t == nearest.t && nearest.object != kNoObject &&
                                       (entry.object < nearest.object ||
                                        (entry.object == nearest.object && k < nearest.primitive));
@@ -305,8 +338,8 @@ TEST(TriangleBatch, RaysTowardsALampInItsShade_AgreeWithALoopOverTriangles) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
         float nearest = rays[i].t_max;
         for (const auto& [a, b, c] : mesh.triangles) {
-            const auto hit = moller_trumbore({rays[i].origin, rays[i].direction, 0, nearest},
-                                             mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+            const auto hit = triangle_hit({rays[i].origin, rays[i].direction, 0, nearest},
+                                          mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
             nearest = hit ? hit->t : nearest;
         }
         const bool is_hit = nearest < rays[i].t_max;
@@ -342,26 +375,71 @@ TEST(TriangleBatch, SameDistance_LowerObjectThenLowerTriangle) {
     EXPECT_GT(hits, 500);
 }
 
-TEST(TriangleBatch, RaysTowardsSharedEdges_FewSlipThrough) {
-    const TriangleMesh mesh = test::bumpy_ball(1, 40);
-    const MeshEntry entry{&mesh, 0};
-    const TriangleScene scene(std::span(&entry, 1));
+/// Rays from inside a closed mesh towards its edges and corners, and towards any of its points.
+std::vector<Ray> rays_from_inside(const TriangleMesh& mesh, const V3f& middle, int count) {
     TestRandom random(7);
     std::vector<Ray> rays;
-    for (int i = 0; i < 100'000; ++i) {
+    for (int i = 0; i < count; ++i) {
         const auto& triangle = mesh.triangles[random.next() % mesh.triangles.size()];
-        const V3f a = mesh.vertices[triangle[static_cast<std::size_t>(i % 3)]];
-        const V3f b = mesh.vertices[triangle[static_cast<std::size_t>((i + 1) % 3)]];
+        const auto corner = [&](int k) {
+            return mesh.vertices[triangle[static_cast<std::size_t>((i + k) % 3)]];
+        };
+        const float along = i % 7 == 0 ? 0 : random.unit();
+        const float beside = i % 5 == 0 ? random.unit() : 0;
+        const V3f target =
+            corner(0) + along * (corner(1) - corner(0)) + beside * (corner(2) - corner(0));
         Ray ray;
-        ray.origin = test::random_point(random, 0.2f);
-        ray.direction = (a + random.unit() * (b - a) - ray.origin).normalized();
+        ray.origin = middle + test::random_point(random, 0.2f);
+        ray.direction = (target - ray.origin).normalized();
         rays.push_back(ray);
     }
-    const Answers answers = ask(scene, rays);
-    const auto misses = std::count(answers.object.begin(), answers.object.end(), -1);
-    // All aim at edges, and no float test of single triangles is watertight: about one in eight
-    // slips through (tests/lab/kernels_test.cpp).
-    EXPECT_LT(misses, 20'000);
+    return rays;
+}
+
+TEST(TriangleBatch, RaysTowardsSharedEdges_NoneSlipsThrough) {
+    for (const int rings : {5, 40, 300}) {
+        const TriangleMesh mesh = test::bumpy_ball(1, rings);
+        const MeshEntry entry{&mesh, 0};
+        const TriangleScene scene(std::span(&entry, 1));
+        const std::vector<Ray> rays = rays_from_inside(mesh, V3f(0), 300'000);
+        const Answers answers = ask(scene, rays);
+        EXPECT_EQ(std::count(answers.object.begin(), answers.object.end(), -1), 0) << rings;
+        EXPECT_EQ(std::count_if(answers.t_max.begin(), answers.t_max.end(),
+                                [](float t) { return t > 0; }),
+                  0)
+            << rings;
+        // Alone, too.
+        for (std::size_t i = 0; i < rays.size(); i += 20) {
+            Hit hit;
+            ASSERT_TRUE(scene.closest_hit(rays[i], hit));
+            ASSERT_EQ(hit.t, answers.t[i]);
+            ASSERT_TRUE(scene.any_hit(rays[i]));
+        }
+    }
+}
+
+// The map to an instance's axes rounds a ray once for all triangles.
+TEST(InstanceBatch, RaysTowardsSharedEdges_NoneSlipsThrough) {
+    const TriangleMesh mesh = test::bumpy_ball(300, 40);
+    const MeshEntry entry{&mesh, 0};
+    Mat44 map;
+    map.setScale(Vec3(0.003, 0.004, 0.0035));
+    map[3][0] = 5;
+    MeshInstance instance{
+        std::make_shared<const TriangleTree>(make_triangle_tree(std::span(&entry, 1))),
+        Affine::narrowed(map.inverse()), nullptr, Imath::Box3f(V3f(3, -2, -2), V3f(7, 2, 2)), 0};
+    const InstanceTree tree = make_instance_tree({instance});
+    TriangleMesh placed = mesh;
+    for (V3f& vertex : placed.vertices) {
+        vertex = Affine::narrowed(map).point(vertex);
+    }
+    const std::vector<Ray> rays = rays_from_inside(placed, V3f(5, 0, 0), 100'000);
+    int misses = 0;
+    for (const Ray& ray : rays) {
+        Hit hit;
+        misses += best_instance_batch_kernels().closest_of_ray(tree, ray, hit) ? 0 : 1;
+    }
+    EXPECT_EQ(misses, 0);
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 #include "render/acceleration/wide_tree.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include <gtest/gtest.h>
 
 #include "render/acceleration/hybrid_structure.h"
+#include "render/threads/thread_arena.h"
 #include "tests/render/acceleration/random_shapes.h"
 
 namespace carom::render {
@@ -137,6 +139,29 @@ TEST(AnalyticTree, NoShapeAtAll_NoHit) {
     Hit hit;
     EXPECT_FALSE(tree.closest_hit(Ray{}, hit));
     EXPECT_FALSE(tree.any_hit(Ray{}));
+}
+
+TEST(WideTree, AnyNumberOfThreads_SameTree) {
+    TestRandom random(41);
+    std::vector<MovingBounds> items;
+    for (int i = 0; i < 100'000; ++i) {
+        const V3f low = test::random_point(random, 10);
+        const Imath::Box3f box(low, low + V3f(random.between(0, 0.2f)));
+        items.push_back({box, box});
+    }
+    const auto built_by = [&](int threads) {
+        ThreadArena arena(threads);
+        return arena.execute([&] { return build_wide_tree(items); });
+    };
+    const WideTree one = built_by(1);
+    for (const int threads : {2, 3, 8}) {
+        const WideTree tree = built_by(threads);
+        EXPECT_EQ(tree.order, one.order);
+        ASSERT_EQ(tree.nodes.size(), one.nodes.size());
+        EXPECT_EQ(
+            std::memcmp(tree.nodes.data(), one.nodes.data(), one.nodes.size() * sizeof(WideNode)),
+            0);
+    }
 }
 
 TEST(WideTree, EveryItemIsInOneLeafOfAtMostEight) {

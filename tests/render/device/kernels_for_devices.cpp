@@ -63,7 +63,7 @@ using triangle::Division;
 // The order matters.
 // clang-format off
 #include "render/triangle/kernels/common.h"
-#include "render/triangle/kernels/moller_trumbore.h"
+#include "render/triangle/kernels/watertight.h"
 // clang-format on
 
 }  // namespace triangles
@@ -155,7 +155,8 @@ CAROM_KERNEL void hit_shapes(const Scene& scene, const RayOf<L>& ray, const Vec3
     const auto moving = pose_at<L>(scene.motion, profile.x).in_body(ray);
     sum.add(moving.origin);
     sum.add(moving.direction);
-    const auto on_mesh = point_on_mesh<L>(scene.mesh, 7, profile.x, profile.y, true);
+    const auto on_mesh =
+        point_on_mesh<L>(scene.mesh, MeshHitOf<L>{7, profile.x, profile.y}, nullptr, true);
     sum.add(on_mesh.position);
     sum.add(on_mesh.shading_normal);
     sum.add(on_mesh.uv);
@@ -163,11 +164,11 @@ CAROM_KERNEL void hit_shapes(const Scene& scene, const RayOf<L>& ray, const Vec3
     sum.add(on_sphere.position);
     const auto on_box = point_on_upright_box<L>(ray, profile.x, profile, profile, {true, true});
     sum.add(on_box.uv);
-    const auto record = triangles::MollerTrumbore::prepare(
-        triangles::Corners<L>{ray.origin, ray.direction, profile});
-    const auto on_triangle = triangles::MollerTrumbore::intersect<triangle::Division::early>(
-        triangles::RayIn<L>{ray.direction, profile, 0, profile.x}, record);
-    sum.add(on_triangle.valid ? on_triangle.t + on_triangle.u : 0);
+    const triangles::Corners<L> corners{ray.origin, ray.direction, profile};
+    const auto on_triangle =
+        triangles::sure_hit<L>(triangles::RayIn<L>{ray.direction, profile, 0, profile.x}, corners,
+                               triangles::doubt<L>(profile, profile.x, profile.y));
+    sum.add(on_triangle.hit.valid ? on_triangle.hit.t + on_triangle.hit.u : 0);
 }
 
 CAROM_KERNEL void light(const Scene& scene, const Vec3<float>& point, const Vec3<float>& normal,

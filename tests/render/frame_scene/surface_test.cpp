@@ -144,11 +144,10 @@ TEST(SurfaceAt, Mesh_InterpolatesUvAndNormals) {
     expect_near(point.geometric_normal, Vec3(0, 0, 1), 1e-6);
     expect_near(point.object_position, Vec3(1, 0.5, 0), 1e-6);
     EXPECT_NEAR((point.uv - V2f(0.5f, 0.25f)).length(), 0, 1e-6);
+    // The last normal points backwards and is turned.
     const Vec3 mixed =
-        0.25 * Vec3(0, 0, 1) + 0.5 * Vec3(1, 0, 1).normalized() + 0.25 * Vec3(0, 0, -1);
+        0.25 * Vec3(0, 0, 1) + 0.5 * Vec3(1, 0, 1).normalized() + 0.25 * Vec3(0, 0, 1);
     expect_near(point.shading_normal, mixed.normalized(), 1e-6);
-    // Near the corner whose normal points the other way, the normal is flipped to the geometric
-    // side.
     const SurfacePoint flipped = look(scene, Vec3(2.01, 1.95, 4), Vec3(2.01, 1.95, 0)).point;
     EXPECT_GT(flipped.shading_normal.dot(flipped.geometric_normal), 0);
     // Seen from behind, the geometric normal still points outwards.

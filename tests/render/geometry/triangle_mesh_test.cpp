@@ -54,7 +54,29 @@ TEST(MakeMesh, Normals_AreTransformedAsNormalsAndUnit) {
     const TriangleMesh mesh = make_mesh(shape, squash, "thing");
     EXPECT_NEAR((mesh.normals[0] - V3f(1, 0, 2).normalized()).length(), 0, 1e-6);
     EXPECT_NEAR((mesh.normals[1] - V3f(0, 0, 1)).length(), 0, 1e-6);
-    EXPECT_EQ(mesh.normals[2], V3f(0, 0, 0));
+    EXPECT_EQ(mesh.normals[2], V3f(0, 0, 1));  // the triangle's
+}
+
+TEST(MakeMesh, MissingNormals_AreThoseOfTheTriangles) {
+    MeshShape shape = triangle();
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    shape.normals = {Vec3(0, 0, 0), Vec3(kNan, 0, 1), Vec3(0, 0.6, 0.8)};
+    const TriangleMesh mesh = make_mesh(shape, Mat44(), "thing");
+    EXPECT_EQ(mesh.normals[0], V3f(0, 0, 1));
+    EXPECT_EQ(mesh.normals[1], V3f(0, 0, 1));
+    EXPECT_EQ(mesh.normals[2], V3f(0, 0.6f, 0.8f));
+}
+
+TEST(MakeMesh, NormalsBehindAllTriangles_AreTurned) {
+    MeshShape shape = triangle();
+    shape.vertices.emplace_back(0, 0, 1);
+    shape.triangles.push_back({0, 2, 3});  // faces x
+    shape.normals = {Vec3(-1, 0, 0.5), Vec3(0, 0, -1), Vec3(-0.6, 0, -0.8), Vec3(1, 0, 0)};
+    const TriangleMesh mesh = make_mesh(shape, Mat44(), "thing");
+    EXPECT_LT(mesh.normals[0].x, 0);  // in front of the first one
+    EXPECT_EQ(mesh.normals[1], V3f(0, 0, 1));
+    EXPECT_EQ(mesh.normals[2], V3f(0.6f, 0, 0.8f));
+    EXPECT_EQ(mesh.normals[3], V3f(1, 0, 0));
 }
 
 TEST(MakeMesh, IndexOutOfRange_Refused) {

@@ -112,10 +112,18 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const SurfaceTask& task, const Wave
     };
     const auto u = L::from_bits(field(offsetof(Hit, u)));
     const auto v = L::from_bits(field(offsetof(Hit, v)));
-    SurfacePointOf<L> point = point_on_mesh<L>(task.group.mesh, field(offsetof(Hit, primitive)), u,
-                                               v, task.group.needs_uv);
-    if (task.group.has_texture) {
-        point.object_position = affine_of<L>(task.group.metres_from_world).point(point.position);
+    const MeshHitOf<L> on_mesh{field(offsetof(Hit, primitive)), u, v};
+    const WaveGroup& group = task.group;
+    SurfacePointOf<L> point;
+    if (group.mesh_is_mapped) {
+        const MeshPlaceOf<L> place{gather_map<L>(hit, task, kWorldFromUnit),
+                                   gather_map<L>(hit, task, kUnitFromWorld)};
+        point = point_on_mesh<L>(group.mesh, on_mesh, &place, group.needs_uv);
+    } else {
+        point = point_on_mesh<L>(group.mesh, on_mesh, nullptr, group.needs_uv);
+    }
+    if (group.has_texture) {
+        point.object_position = gather_map<L>(hit, task, kMetresFromWorld).point(point.position);
     }
     return point;
 }
@@ -157,6 +165,28 @@ CAROM_KERNEL void absorb(const SurfaceTask& task, const WaveHitOf<L>& hit, MaskO
     scatter<L>(select<L>(from_behind, reduced, throughput), task.paths.throughput, hit.path);
 }
 
+/// Where rays start: a place, and how far from it along the normal on whose side they stay.
+template <class L>
+struct StartOf {
+    Vec3Of<L> position, normal;
+    ValueOf<L> offset;
+};
+
+/// The start of rays on the curved surface that a mesh's normals describe, in the lanes in which
+/// it faces the viewer. `flat`: on the triangle.
+template <class L>
+CAROM_KERNEL StartOf<L> start_on_curve(const SurfacePointOf<L>& point, MaskOf<L> from_behind,
+                                       const Vec3Of<L>& wo, const StartOf<L>& flat) {
+    constexpr float kLeastSlope = 0.25f;
+    const Vec3Of<L> normal = flipped<L>(from_behind, point.shading_normal);
+    const auto faces = L::is_less(L::all(0), dot(normal, wo));
+    const auto slope = L::larger(dot(normal, flat.normal), L::all(kLeastSlope));
+    const auto height = L::select(from_behind, point.fall, point.rise);
+    return {select<L>(faces, flat.position + normal * (height / slope), flat.position),
+            select<L>(faces, normal, flat.normal),
+            L::select(faces, flat.offset / slope, flat.offset)};
+}
+
 /// Completes the vertices from `first` on.
 template <class L>
 CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
@@ -171,13 +201,16 @@ CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
         texture_point<L>(point, group.needs_uv, wo, width, L::all(kLeastConeCosine));
     const ResolvedOf<L> surface = resolve_surface<L>(
         task.scene.textures[group.material], group.bump, textured, point.shading_normal, wo);
-    const auto radius = group.kind == WaveGroup::Kind::mesh
-                            ? L::all(group.bounding_radius)
-                            : gather<L>(task.scene.shapes, kBoundingRadius, hit.object);
-    store<L>(point.position, vertices.position, first);
-    store<L>(surface.geometric_normal, vertices.geometric_normal, first);
+    const auto radius = gather<L>(task.scene.shapes, kBoundingRadius, hit.object);
+    StartOf<L> start{point.position, surface.geometric_normal,
+                     offset_at<L>(point.position, radius)};
+    if (group.is_curved) {
+        start = start_on_curve<L>(point, surface.from_behind, wo, start);
+    }
+    store<L>(start.position, vertices.position, first);
+    store<L>(start.normal, vertices.geometric_normal, first);
     store<L>(surface.normal, vertices.normal, first);
-    store<L>(offset_at<L>(point.position, radius), vertices.offset, first);
+    store<L>(start.offset, vertices.offset, first);
     store<L>(surface.base, vertices.base, first);
     if (task.scene.materials.transmits) {
         store<L>(L::select_int(surface.from_behind, L::all_int(1), L::all_int(0)),
