@@ -24,7 +24,8 @@ struct BinaryTree {
 
 /// How many full leaves are as much work as these items.
 [[nodiscard]] inline float full_leaves(std::uint32_t count, std::uint32_t largest_leaf) {
-    return static_cast<float>((count + largest_leaf - 1) / largest_leaf);
+    const std::uint32_t whole = (count + largest_leaf - 1) / largest_leaf;
+    return static_cast<float>(whole);
 }
 
 /// See build_wide_tree().
