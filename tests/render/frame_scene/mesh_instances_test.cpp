@@ -156,9 +156,9 @@ TEST(MeshInstances, HitsAndSurfaces_ThoseOfCopies) {
         ASSERT_LT((point.shading_normal - other.shading_normal).length(), 5e-3f);
         ASSERT_LT((point.object_position - other.object_position).length(), 3e-4f);
         ASSERT_LT((point.uv - other.uv).length(), 1e-3f);
-        for (const auto& [gradient, expected] : {std::pair(point.u_gradient, other.u_gradient),
-                                                 std::pair(point.v_gradient, other.v_gradient)}) {
-            ASSERT_NEAR((gradient - expected).length(), 0, 1e-3f * expected.length());
+        for (const auto& [gradient, of_copy] : {std::pair(point.u_gradient, other.u_gradient),
+                                                std::pair(point.v_gradient, other.v_gradient)}) {
+            ASSERT_NEAR((gradient - of_copy).length(), 0, 1e-3f * of_copy.length());
         }
         ASSERT_NEAR(point.offset, other.offset, 1e-4f * other.offset);
         ASSERT_EQ(point.object, other.object);
