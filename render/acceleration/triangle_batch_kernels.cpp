@@ -75,12 +75,16 @@ class WaitingRays {
             box_lines<L>({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z});
         const auto has_way =
             L::both(is_finite<L>(rays.line, L::load(batch.time + first)), L::is_less(L::all(0), t));
-        const auto may_hit =
+        auto may_hit =
             L::both(L::both(has_way, L::first_lanes(batch.count - first)), rays.meet(tree.bounds));
         if (L::none(may_hit)) {
             return;
         }
-        const PackedLanes goes(rays.may_hit(tree, may_hit));
+        may_hit = rays.may_hit(tree, may_hit);
+        if (L::none(may_hit)) {
+            return;
+        }
+        const PackedLanes goes(may_hit);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             L::store(goes.pack(origin[axis]), origin_[axis] + count_);
             L::store(goes.pack(direction[axis]), direction_[axis] + count_);
