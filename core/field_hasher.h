@@ -69,6 +69,8 @@ class FieldHasher : public Hasher {
             std::visit([this](const auto& alternative) { this->add_value(alternative); }, value);
         } else if constexpr (detail::kIsSharedPointer<T>) {
             add_if_given(value);
+        } else if constexpr (std::is_same_v<T, std::monostate>) {
+            // Its variant's index says all.
         } else if constexpr (detail::kIsPair<T>) {
             add_value(value.first);
             add_value(value.second);

@@ -9,6 +9,7 @@
 
 #include "pipeline/check/shape_box.h"
 #include "render/geometry/affine.h"
+#include "render/scene/scene_problems.h"
 
 namespace carom::pipeline {
 namespace {
@@ -117,8 +118,7 @@ bool is_enclosed(const render::MeshShape& mesh, const Vec3& point, const Vec3& d
 
 bool is_luminous(const Shot& shot, const std::string& material) {
     return std::ranges::any_of(shot.scene.materials, [&](const auto& m) {
-        const Vec3& emission = m.phong ? m.phong->emission : m.surface.emission;
-        return m.name == material && emission != Vec3(0, 0, 0);
+        return m.name == material && render::is_emissive(m);
     });
 }
 

@@ -34,6 +34,10 @@ Vec3 plain_colour(const render::ColourSource& source) {
         Vec3 operator()(const render::CheckerTexture& checker) const {
             return (checker.even + checker.odd) / 2;
         }
+        Vec3 operator()(const std::shared_ptr<const render::MixTexture>& mix) const {
+            const double by = mix->by.constant_or(0.5);
+            return plain_colour(mix->a) * (1 - by) + plain_colour(mix->b) * by;
+        }
     };
     return std::visit(Visitor{}, source);
 }
@@ -52,13 +56,13 @@ ExportMaterial plain_material(const render::MaterialDescription& material) {
         return result;
     }
     const render::StandardMaterial& surface = material.surface;
-    result.metal = surface.metal;
-    result.roughness = surface.roughness;
+    result.metal = surface.metal.constant_or(0);
+    result.roughness = surface.roughness.constant_or(0.5);
     result.transmission = surface.transmission;
     result.ior = surface.ior;
-    result.coat = surface.coat.weight;
-    result.coat_roughness = surface.coat.roughness;
-    result.emission = surface.emission;
+    result.coat = surface.coat.weight.constant_or(0);
+    result.coat_roughness = surface.coat.roughness.constant_or(0);
+    result.emission = plain_colour(surface.emission) * surface.emission_strength;
     return result;
 }
 

@@ -39,7 +39,8 @@ std::shared_ptr<const GlassConstants> glass_constants(const StandardMaterial& m,
     }
     auto glass = std::make_shared<GlassConstants>();
     glass->ior = clamped(m.ior, 1.0, 3.0);
-    const float alpha = clamped(m.roughness * m.roughness, 0, 1);
+    const double roughness = m.roughness.constant_or(0.5);
+    const float alpha = clamped(roughness * roughness, 0, 1);
     glass->alpha = alpha < kSmoothAlpha || glass->ior < kLeastBendingIndex ? 0.0f : alpha;
     if (m.transmission_depth > 0) {
         glass->absorption = absorption_of(m);

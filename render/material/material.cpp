@@ -30,7 +30,9 @@ Material::Material(const StandardMaterial& description, ImageCache& images, Albe
     : texture_(description.base, images),
       glass_(glass_constants(description, tables)),
       phong_(phong_model(description)),
-      emission_(description.emission),
+      emission_(std::holds_alternative<Vec3>(description.emission)
+                    ? V3f(std::get<Vec3>(description.emission) * description.emission_strength)
+                    : V3f(0, 0, 0)),
       bump_(texture_.has_relief() ? fraction(description.bump) : 0.0f) {
     set_phong();
     set_layers(description, tables);
@@ -48,14 +50,14 @@ Material::Material(const PhongMaterial& description, ImageCache& images)
 }
 
 void Material::set_layers(const StandardMaterial& m, AlbedoTables& tables) {
-    numbers_.coat_weight = fraction(m.coat.weight);
+    numbers_.coat_weight = fraction(m.coat.weight.constant_or(0));
     numbers_.coat_ior = static_cast<float>(std::clamp(m.coat.ior, 1.0, 3.0));
-    numbers_.coat_alpha = alpha_of(m.coat.roughness);
-    numbers_.sheen = fraction(m.sheen);
+    numbers_.coat_alpha = alpha_of(m.coat.roughness.constant_or(0));
+    numbers_.sheen = fraction(m.sheen.constant_or(0));
     numbers_.sheen_colour = limited(V3f(m.sheen_colour));
-    numbers_.metal = fraction(m.metal);
-    numbers_.specular = fraction(m.specular);
-    numbers_.alpha = alpha_of(m.roughness);
+    numbers_.metal = fraction(m.metal.constant_or(0));
+    numbers_.specular = fraction(m.specular.constant_or(0));
+    numbers_.alpha = alpha_of(m.roughness.constant_or(0.5));
     if (numbers_.coat_weight > 0 && numbers_.coat_alpha > 0) {
         keep(tables.of_dielectric(numbers_.coat_alpha, numbers_.coat_ior), numbers_.tables.coat);
     }

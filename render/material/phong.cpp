@@ -40,17 +40,26 @@ PhongModel phong_model(const PhongMaterial& description) {
 }
 
 PhongModel phong_model(const StandardMaterial& description) {
-    const double coat = description.coat.weight * reflectance_straight_on(description.coat.ior);
+    const auto middle = [](const NumberSource& number) {
+        const NumberTexture* varying = number.texture();
+        return varying == nullptr ? number.constant_or(0)
+                                  : (varying->range.x + varying->range.y) / 2;
+    };
+    const double coat =
+        middle(description.coat.weight) * reflectance_straight_on(description.coat.ior);
     const double opaque = (1 - coat) * (1 - description.transmission);
-    const double alpha = description.roughness * description.roughness;
+    const double roughness = middle(description.roughness);
+    const double alpha = roughness * roughness;
+    const double metal = middle(description.metal);
+    const double specular = middle(description.specular);
     PhongModel model;
-    model.diffuse_fraction = static_cast<float>(opaque * (1 - description.metal));
-    model.metal = static_cast<float>(opaque * description.metal);
+    model.diffuse_fraction = static_cast<float>(opaque * (1 - metal));
+    model.metal = static_cast<float>(opaque * metal);
     model.reflectance = V3f(static_cast<float>(coat));
-    const double coat_alpha = description.coat.roughness * description.coat.roughness;
-    model.reflectance_spread = static_cast<float>(
-        std::max(coat > 0 ? coat_alpha : 0.0,
-                 description.metal > 0 || description.transmission > 0 ? alpha : 0.0));
+    const double coat_alpha =
+        middle(description.coat.roughness) * middle(description.coat.roughness);
+    model.reflectance_spread = static_cast<float>(std::max(
+        coat > 0 ? coat_alpha : 0.0, metal > 0 || description.transmission > 0 ? alpha : 0.0));
     if (description.transmission > 0) {
         const double glass = (1 - coat) * description.transmission;
         const double mirrored = reflectance_straight_on(description.ior);
@@ -59,11 +68,11 @@ PhongModel phong_model(const StandardMaterial& description) {
         model.transmittance_spread = static_cast<float>(alpha);
         model.index = static_cast<float>(description.ior);
     }
-    if (description.specular > 0) {
+    if (specular > 0) {
         const double sharp = std::max(alpha, kSharpestAlpha);
         const double exponent = std::max(2 / (sharp * sharp) - 2, 1.0) / 4;
-        const double fraction = opaque * (1 - description.metal) * description.specular *
-                                reflectance_straight_on(kHighlightIndex);
+        const double fraction =
+            opaque * (1 - metal) * specular * reflectance_straight_on(kHighlightIndex);
         model.shininess = static_cast<float>(exponent);
         model.specular = V3f(static_cast<float>(fraction * (exponent + 2) / 2));
     }

@@ -3,8 +3,12 @@
 // (core/fields.h).
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "core/fields.h"
@@ -12,22 +16,52 @@
 
 namespace carom::render {
 
-/// An image file, looked up by uv (SurfacePoint::uv); its lower left corner is at uv (0, 0).
+/// How pictures and flat patterns are laid on a surface. All but `uv` and `own` project the place
+/// in the object's axes, in metres, scaled like the object.
+enum class Mapping : std::uint8_t {
+    own,        // pictures: uv; patterns: the object's own axes
+    uv,         // SurfacePoint::uv; patterns: times its lengths, m
+    planar,     // along `facing`
+    box,        // along the axis that the surface faces most
+    spherical,  // longitude and latitude around the object's origin; patterns: times lengths, m
+};
+
+/// The place of a texture on a surface.
+struct Placement {
+    Mapping mapping = Mapping::own;
+    Vec3 facing{0, 0, 1};  // planar: the side, in object axes, from which the texture is upright
+    double rotation = 0;   // counter-clockwise about the texture's origin, rad
+};
+constexpr auto fields_of(Describes<Placement>) {
+    using T = Placement;
+    return fields<T>(field("mapping", &T::mapping), field("facing", &T::facing),
+                     field("rotation", &T::rotation));
+}
+
+/// What of a picture counts where a number is wanted. `automatic`: alpha for an opacity if the
+/// picture has it; otherwise luminance.
+enum class PictureChannel : std::uint8_t { automatic, red, green, blue, alpha, luminance };
+
+/// An image file; its lower left corner is at uv (0, 0). With a mapping in metres one repeat is 1
+/// m.
 struct ImageTexture {
     std::string file;            // absolute path
     Vec2 scale{1, 1};            // repeats along u and v
-    bool is_linear = false;      // false: sRGB-encoded colour
+    bool is_linear = false;      // false: sRGB-encoded colour. Numbers are always linear
     std::optional<Vec2> size{};  // instead of `scale`: width and height of the picture, m
     Vec2 offset{0, 0};           // translation along u and v, in widths and heights of the picture
-    double rotation = 0;         // about uv (0, 0), rad, counter-clockwise
+    Placement placement{};
     std::optional<Vec3> background{};  // shown where it is transparent; none: kTransparentColour
+    Vec3 tint{1, 1, 1};                // factor on the colour
+    PictureChannel channel = PictureChannel::automatic;
 };
 constexpr auto fields_of(Describes<ImageTexture>) {
     using T = ImageTexture;
     return fields<T>(file_field("file", &T::file), field("scale", &T::scale),
                      field("is_linear", &T::is_linear), field("size", &T::size),
-                     field("offset", &T::offset), field("rotation", &T::rotation),
-                     field("background", &T::background));
+                     field("offset", &T::offset), field("placement", &T::placement),
+                     field("background", &T::background), field("tint", &T::tint),
+                     field("channel", &T::channel));
 }
 
 /// The colour of a material without one of its own.
@@ -55,11 +89,12 @@ struct ClothTexture {
     Vec3 colour{0.02, 0.22, 0.14};
     double thread = 0.0008;   // spacing of the weave, m
     double variation = 0.15;  // relative
+    Placement placement{};
 };
 constexpr auto fields_of(Describes<ClothTexture>) {
     using T = ClothTexture;
     return fields<T>(field("colour", &T::colour), field("thread", &T::thread),
-                     field("variation", &T::variation));
+                     field("variation", &T::variation), field("placement", &T::placement));
 }
 
 struct WoodTexture {
@@ -67,31 +102,112 @@ struct WoodTexture {
     Vec3 dark{0.13, 0.05, 0.02};
     double ring = 0.012;  // mean spacing of the grain, m
     Vec3 grain{1, 0, 0};  // direction of the grain in object axes
+    Placement placement{};
 };
 constexpr auto fields_of(Describes<WoodTexture>) {
     using T = WoodTexture;
     return fields<T>(field("light", &T::light), field("dark", &T::dark), field("ring", &T::ring),
-                     field("grain", &T::grain));
+                     field("grain", &T::grain), field("placement", &T::placement));
 }
 
 struct CheckerTexture {
     Vec3 even{0.8, 0.8, 0.8};
     Vec3 odd{0.2, 0.2, 0.2};
     double size = 0.1;  // of a square, m
+    Placement placement{};
 };
 constexpr auto fields_of(Describes<CheckerTexture>) {
     using T = CheckerTexture;
-    return fields<T>(field("even", &T::even), field("odd", &T::odd), field("size", &T::size));
+    return fields<T>(field("even", &T::even), field("odd", &T::odd), field("size", &T::size),
+                     field("placement", &T::placement));
 }
 
+struct MixTexture;
+
 /// A colour, constant or varying over the surface.
-using ColourSource =
-    std::variant<Vec3, ImageTexture, BallTexture, ClothTexture, WoodTexture, CheckerTexture>;
+using ColourSource = std::variant<Vec3, ImageTexture, BallTexture, ClothTexture, WoodTexture,
+                                  CheckerTexture, std::shared_ptr<const MixTexture>>;
+
+/// A number that varies over the surface: of a picture its channel, of any other texture the
+/// luminance of its colour, 0 meaning `range.x` and 1 meaning `range.y`.
+struct NumberTexture {
+    ColourSource pattern;  // not a constant
+    Vec2 range{0, 1};
+};
+constexpr auto fields_of(Describes<NumberTexture>) {
+    using T = NumberTexture;
+    return fields<T>(field("pattern", &T::pattern), field("range", &T::range));
+}
+
+/// A number, constant or varying over the surface.
+class NumberSource {
+  public:
+    NumberSource(double value = 0) : source_(value) {}  // NOLINT(google-explicit-constructor)
+    NumberSource(NumberTexture texture)                 // NOLINT(google-explicit-constructor)
+        : source_(std::make_shared<const NumberTexture>(std::move(texture))) {}
+
+    /// Null: it is constant.
+    [[nodiscard]] const NumberTexture* texture() const {
+        const auto* texture = std::get_if<Texture>(&source_);
+        return texture == nullptr ? nullptr : texture->get();
+    }
+    /// `otherwise`: of a texture.
+    [[nodiscard]] double constant_or(double otherwise) const {
+        const auto* value = std::get_if<double>(&source_);
+        return value == nullptr ? otherwise : *value;
+    }
+    /// The largest value that it may have. Of pictures and patterns it is unknown: the larger end
+    /// of the range.
+    [[nodiscard]] double most() const {
+        const NumberTexture* varying = texture();
+        return varying == nullptr ? constant_or(0) : std::max(varying->range.x, varying->range.y);
+    }
+
+    friend const auto& hashed_part(const NumberSource& number) { return number.source_; }
+
+  private:
+    using Texture = std::shared_ptr<const NumberTexture>;
+    std::variant<double, Texture> source_;
+};
+
+/// `a` where `by` is 0, `b` where it is 1.
+struct MixTexture {
+    ColourSource a = Vec3{0, 0, 0};
+    ColourSource b = Vec3{1, 1, 1};
+    NumberSource by = 0.5;
+};
+constexpr auto fields_of(Describes<MixTexture>) {
+    using T = MixTexture;
+    return fields<T>(field("a", &T::a), field("b", &T::b), field("by", &T::by));
+}
+
+/// Directions of normals in a picture's red, green and blue: along u, along v and outwards, -1 to 1
+/// as 0 to 1.
+struct NormalPicture {
+    ImageTexture image;
+    double strength = 1;  // factor on the slopes
+};
+constexpr auto fields_of(Describes<NormalPicture>) {
+    using T = NormalPicture;
+    return fields<T>(field("image", &T::image), field("strength", &T::strength));
+}
+
+/// A relief: at 1 it is `depth` higher than at 0. Its slopes are shaded; the surface stays flat.
+struct HeightTexture {
+    NumberTexture number;
+    double depth = 0.001;  // m
+};
+constexpr auto fields_of(Describes<HeightTexture>) {
+    using T = HeightTexture;
+    return fields<T>(field("number", &T::number), field("depth", &T::depth));
+}
+
+using Relief = std::variant<std::monostate, NormalPicture, HeightTexture>;
 
 struct Coat {
-    double weight = 0;     // [0, 1]
-    double ior = 1.5;      // [1, 3]
-    double roughness = 0;  // [0, 1]
+    NumberSource weight = 0;     // [0, 1]
+    double ior = 1.5;            // [1, 3]
+    NumberSource roughness = 0;  // [0, 1]
 };
 constexpr auto fields_of(Describes<Coat>) {
     return fields<Coat>(field("weight", &Coat::weight), field("ior", &Coat::ior),
@@ -102,30 +218,34 @@ constexpr auto fields_of(Describes<Coat>) {
 /// a closed surface with outward normals.
 struct StandardMaterial {
     ColourSource base = Vec3{0.8, 0.8, 0.8};  // albedo, each channel in [0, 1]
-    double metal = 0;                         // [0, 1]: base becomes the reflectance of a metal
-    double roughness = 0.5;   // [0, 1] of the base's specular lobe (GGX alpha = roughness^2)
-    double specular = 0;      // [0, 1] weight of the base's own dielectric highlight, ior 1.5
+    NumberSource metal = 0;                   // [0, 1]: base becomes the reflectance of a metal
+    NumberSource roughness = 0.5;  // [0, 1] of the base's specular lobe (GGX alpha = roughness^2)
+    NumberSource specular = 0;     // [0, 1] weight of the base's own dielectric highlight, ior 1.5
     double transmission = 0;  // [0, 1] fraction of the base that is glass, rough by `roughness`
     double ior = 1.5;         // [1, 3] of the glass
     /// The fraction of light that remains after `transmission_depth` m of glass; with a depth of 0
     /// it applies at each surface instead.
     Vec3 transmission_colour{1, 1, 1};
     double transmission_depth = 0;
-    double sheen = 0;  // [0, 1] weight
+    NumberSource sheen = 0;  // [0, 1] weight
     Vec3 sheen_colour{1, 1, 1};
     double bump = 0;  // strength of the texture's own relief, [0, 1] (cloth)
+    Relief relief;    // of all layers
     Coat coat;
-    Vec3 emission{0, 0, 0};  // radiance of its front, W/(m^2 sr)
+    ColourSource emission = Vec3{0, 0, 0};  // times the strength: radiance of its front, W/(m^2 sr)
+    double emission_strength = 1;
+    NumberSource opacity = 1;  // [0, 1] fraction of rays that meet the surface
 };
 constexpr auto fields_of(Describes<StandardMaterial>) {
     using T = StandardMaterial;
-    return fields<T>(field("base", &T::base), field("metal", &T::metal),
-                     field("roughness", &T::roughness), field("specular", &T::specular),
-                     field("transmission", &T::transmission), field("ior", &T::ior),
-                     field("transmission_colour", &T::transmission_colour),
-                     field("transmission_depth", &T::transmission_depth), field("sheen", &T::sheen),
-                     field("sheen_colour", &T::sheen_colour), field("bump", &T::bump),
-                     field("coat", &T::coat), field("emission", &T::emission));
+    return fields<T>(
+        field("base", &T::base), field("metal", &T::metal), field("roughness", &T::roughness),
+        field("specular", &T::specular), field("transmission", &T::transmission),
+        field("ior", &T::ior), field("transmission_colour", &T::transmission_colour),
+        field("transmission_depth", &T::transmission_depth), field("sheen", &T::sheen),
+        field("sheen_colour", &T::sheen_colour), field("bump", &T::bump),
+        field("relief", &T::relief), field("coat", &T::coat), field("emission", &T::emission),
+        field("emission_strength", &T::emission_strength), field("opacity", &T::opacity));
 }
 
 /// The classic model: the terms of Phong 1975, "Illumination for computer generated pictures", and

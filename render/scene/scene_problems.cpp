@@ -21,12 +21,9 @@ bool refracts(const MaterialDescription& material) {
 /// A refracting surface also reflects: beyond the critical angle it reflects everything.
 bool reflects(const MaterialDescription& material) {
     const StandardMaterial& surface = material.surface;
-    return refracts(material) || (material.phong ? !is_black(material.phong->reflectance)
-                                                 : surface.metal > 0 || surface.coat.weight > 0);
-}
-
-bool is_emissive(const MaterialDescription& material) {
-    return !is_black(material.phong ? material.phong->emission : material.surface.emission);
+    return refracts(material) ||
+           (material.phong ? !is_black(material.phong->reflectance)
+                           : surface.metal.most() > 0 || surface.coat.weight.most() > 0);
 }
 
 /// Radiance, intensity or irradiance.
@@ -66,6 +63,15 @@ void add_problems(const LightDescription& light, std::vector<Diagnostic>& proble
 }
 
 }  // namespace
+
+bool is_emissive(const MaterialDescription& material) {
+    if (material.phong) {
+        return !is_black(material.phong->emission);
+    }
+    const StandardMaterial& surface = material.surface;
+    const auto* constant = std::get_if<Vec3>(&surface.emission);
+    return surface.emission_strength > 0 && (constant == nullptr || !is_black(*constant));
+}
 
 RayBranches ray_branches(const SceneDescription& scene) {
     RayBranches branches;

@@ -13,6 +13,9 @@ namespace carom::render {
 /// The longest side that a picture may have, in pixels.
 inline constexpr int kLongestSide = 16384;
 
+/// Whether it may emit light.
+[[nodiscard]] bool is_emissive(const MaterialDescription& material);
+
 /// What determines the size of the ray tree of one camera ray.
 struct RayBranches {
     std::size_t lights = 0;  // number of lights that shadow rays are sent to

@@ -46,7 +46,7 @@ Texture::Texture(const ColourSource& source, ImageCache& images) {
     const auto set_image = [&](const ImageTexture& image) {
         const auto picture = images.file(image);
         const Vec2 repeats = image.size ? Vec2(1, 1) / *image.size : image.scale;
-        const Vec2 turn(cosine(image.rotation), sine(image.rotation));
+        const Vec2 turn(cosine(image.placement.rotation), sine(image.placement.rotation));
         data_.kind = TextureKind::image;
         data_.image = {picture->tables(), V2f(repeats), image.size.has_value(), V2f(image.offset),
                        V2f(turn)};
@@ -61,7 +61,8 @@ Texture::Texture(const ColourSource& source, ImageCache& images) {
         data_.checker = checker_parameters(checker);
     };
     std::visit(Overloaded{[&](const Vec3& colour) { data_.plain = V3f(colour); }, set_image,
-                          set_ball, set_cloth, set_wood, set_checker},
+                          set_ball, set_cloth, set_wood, set_checker,
+                          [&](const std::shared_ptr<const MixTexture>&) {}},
                source);
 }
 

@@ -11,14 +11,21 @@ using render::StandardMaterial;
 
 constexpr double kBrightest = 1e9;
 
+ValueType<render::NumberSource> fraction() {
+    ValueType<render::NumberSource> result = convert<render::NumberSource>(
+        number(between(0, 1)), [](double value) { return render::NumberSource(value); });
+    result.show = [](const render::NumberSource& source) {
+        return number().show(source.constant_or(0));
+    };
+    return result;
+}
+
 const MapSpec<render::Coat>& coat_spec() {
     static const MapSpec<render::Coat> spec = [] {
         MapSpec<render::Coat> s("coat", "A clear layer on top.", {1.0, 1.5, 0.0});
-        s.key("weight", &render::Coat::weight, number(between(0, 1)),
-              "weight of the coat; 0: no coat");
+        s.key("weight", &render::Coat::weight, fraction(), "weight of the coat; 0: no coat");
         s.key("ior", &render::Coat::ior, number(between(1, 3)), "index of refraction");
-        s.key("roughness", &render::Coat::roughness, number(between(0, 1)),
-              "roughness; 0: a mirror");
+        s.key("roughness", &render::Coat::roughness, fraction(), "roughness; 0: a mirror");
         return s;
     }();
     return spec;
@@ -36,8 +43,11 @@ const MapSpec<render::ImageTexture>& image_spec() {
               "and, around the equator, on spheres");
         s.key("offset", &render::ImageTexture::offset, vector2(Dimension::none),
               "translation of the picture along u and v, in widths and heights of the picture");
-        s.key("rotate", &render::ImageTexture::rotation, angle(),
-              "rotation of the picture, counter-clockwise about the corner where u and v are 0");
+        s.key(
+            "rotate",
+            [](render::ImageTexture& image) -> double& { return image.placement.rotation; },
+            angle(),
+            "rotation of the picture, counter-clockwise about the corner where u and v are 0");
         s.key("is_linear", &render::ImageTexture::is_linear, boolean(),
               "whether the values of the picture are linear, whatever its file says. Otherwise "
               "integers are sRGB-encoded unless the file names another gamma, and floating-point "
@@ -127,9 +137,9 @@ const MapSpec<ColourSource>& texture_spec() {
     return spec;
 }
 
-ValueType<ColourSource> base() {
-    const auto constant = convert<ColourSource>(colour(between(0, 1)),
-                                                [](const Vec3& c) -> ColourSource { return c; });
+ValueType<ColourSource> colour_source(const Range& range) {
+    const auto constant =
+        convert<ColourSource>(colour(range), [](const Vec3& c) -> ColourSource { return c; });
     ValueType<ColourSource> result = any_of<ColourSource>(
         {{is_map, record(texture_spec())}, {[](const Node&) { return true; }, constant}});
     result.show = [](const ColourSource& source) {
@@ -144,13 +154,13 @@ const MapSpec<StandardMaterial>& standard_spec() {
         MapSpec<StandardMaterial> s(
             "standard",
             "Layers from the bottom to the top: diffuse base, metal or glass, sheen, coat.");
-        s.key("base", &StandardMaterial::base, base(), "colour or a texture");
-        s.key("metal", &StandardMaterial::metal, number(between(0, 1)),
+        s.key("base", &StandardMaterial::base, colour_source(between(0, 1)), "colour or a texture");
+        s.key("metal", &StandardMaterial::metal, fraction(),
               "1: the base is the reflectance of a metal");
-        s.key("roughness", &StandardMaterial::roughness, number(between(0, 1)),
+        s.key("roughness", &StandardMaterial::roughness, fraction(),
               "roughness of the base's highlight, and of glass: 0 is clear, a higher value is "
               "frosted");
-        s.key("specular", &StandardMaterial::specular, number(between(0, 1)),
+        s.key("specular", &StandardMaterial::specular, fraction(),
               "weight of the base's own dielectric highlight");
         s.key("transmission", &StandardMaterial::transmission, number(between(0, 1)),
               "fraction of the base that is glass, which fills the volume of a closed surface");
@@ -161,13 +171,13 @@ const MapSpec<StandardMaterial>& standard_spec() {
         s.key("transmission_depth", &StandardMaterial::transmission_depth, length(between(0, 1000)),
               "distance at which the transmission colour is reached; 0: the colour is applied at "
               "each surface");
-        s.key("sheen", &StandardMaterial::sheen, number(between(0, 1)),
+        s.key("sheen", &StandardMaterial::sheen, fraction(),
               "weight of the reflection at grazing angles, as in cloth");
         s.key("sheen_colour", &StandardMaterial::sheen_colour, colour(between(0, 1)),
               "colour of the sheen");
         s.key("bump", &StandardMaterial::bump, number(between(0, 1)),
               "strength of the texture's own relief");
-        s.key("emission", &StandardMaterial::emission, colour(between(0, kBrightest)),
+        s.key("emission", &StandardMaterial::emission, colour_source(between(0, kBrightest)),
               "radiance of the surface's front in W/(m^2 sr), which makes it a light");
         s.key("coat", &StandardMaterial::coat, record(coat_spec()), "a clear layer on top");
         return s;
@@ -183,7 +193,8 @@ const MapSpec<PhongMaterial>& phong_spec() {
         const auto spread = angle(between(0, render::kWidestPhongSpread));
         s.key("ambient", &PhongMaterial::ambient, fraction,
               "colour under the ambient light. The default is that of `diffuse`");
-        s.key("diffuse", &PhongMaterial::diffuse, base(), "colour or a texture");
+        s.key("diffuse", &PhongMaterial::diffuse, colour_source(between(0, 1)),
+              "colour or a texture");
         s.key("specular", &PhongMaterial::specular, fraction, "colour of the highlights");
         s.key("shininess", &PhongMaterial::shininess, number(between(0, 1e6)),
               "exponent of the highlights: a higher value is sharper");
