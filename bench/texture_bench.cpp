@@ -7,6 +7,7 @@
 
 #include "tests/render/texture/every_texture.h"
 #include "tests/render/texture/texture_lanes.h"
+#include "tests/render/texture/texture_values.h"
 
 namespace carom::render {
 namespace {
@@ -51,7 +52,7 @@ void one_by_one(benchmark::State& state, const std::string& name) {
     const Lookups asked = lookups(state.range(0));
     for (auto _ : state) {
         for (const SurfacePoint& point : asked.points) {
-            benchmark::DoNotOptimize(texture.colour(point, asked.footprint));
+            benchmark::DoNotOptimize(test::colour_of(texture, point, asked.footprint));
         }
     }
     count_lookups(state);

@@ -22,6 +22,11 @@ const PreparedScene::Data& checked(const PreparedScene& scene, const FrameInput&
     return scene.data();
 }
 
+const CutOuts* cut_outs_of(const PreparedScene& scene) {
+    const auto& cut_outs = scene.data().cut_outs;
+    return cut_outs ? &*cut_outs : nullptr;
+}
+
 }  // namespace
 
 FrameSession::FrameSession(const PreparedScene& scene, std::span<const sim::Track> tracks,
@@ -33,7 +38,7 @@ FrameSession::FrameSession(const PreparedScene& scene, std::span<const sim::Trac
       kind_(kind),
       sums_(sums),
       frame_scene_(checked(scene, frame, settings).geometry, tracks, frame.scene_open,
-                   frame.scene_close),
+                   frame.scene_close, cut_outs_of(scene)),
       lights_(scene.data().lights.in_frame(frame_scene_.motions())),
       transport_{frame_scene_, scene.data().materials, lights_, scene.data().object_count},
       tiles_(settings, frame, transport_),

@@ -139,10 +139,14 @@ PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettin
         }
     });
     add_shining_objects(*lights, scene, *geometry, materials);
-    return new PreparedScene::Data{
+    auto* const data = new PreparedScene::Data{
         std::move(*geometry), std::move(materials),
         std::move(*lights),   static_cast<std::uint32_t>(scene.objects.size()),
         ray_branches(scene),  names_of(scene)};
+    if (std::ranges::any_of(data->materials, &Material::is_cut_out)) {
+        data->cut_outs.emplace(data->materials);
+    }
+    return data;
 }
 
 }  // namespace

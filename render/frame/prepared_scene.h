@@ -2,16 +2,34 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame.h"
+#include "render/frame_scene/cut_outs.h"
 #include "render/frame_scene/static_geometry.h"
 #include "render/light/light_set.h"
 #include "render/material/material.h"
 #include "render/scene/scene_problems.h"
 
 namespace carom::render {
+
+/// What the materials of a scene, which are borrowed, say.
+class MaterialCutOuts final : public CutOuts {
+  public:
+    explicit MaterialCutOuts(const std::vector<Material>& materials) : materials_(materials) {}
+
+    [[nodiscard]] bool is_cut_out(std::uint32_t material) const override {
+        return materials_[material].is_cut_out();
+    }
+    [[nodiscard]] float opacity(const SurfacePoint& point) const override {
+        return materials_[point.material].textures().opacity_at(point);
+    }
+
+  private:
+    const std::vector<Material>& materials_;
+};
 
 struct PreparedScene::Data {
     StaticGeometry geometry;
@@ -20,6 +38,7 @@ struct PreparedScene::Data {
     std::uint32_t object_count = 0;  // of the scene, without lights
     RayBranches branches;
     SceneNames names;
+    std::optional<MaterialCutOuts> cut_outs{};  // if something is
 };
 
 }  // namespace carom::render

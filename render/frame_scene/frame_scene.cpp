@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/moving_shape.h"
+#include "render/frame_scene/cut_outs.h"
 #include "render/frame_scene/static_geometry_data.h"
 #include "render/frame_scene/surface.h"
 
@@ -135,7 +136,7 @@ std::unique_ptr<AccelerationStructure> make_structure_of(const StaticGeometry::D
 }  // namespace
 
 FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
-                       double scene_open, double scene_close)
+                       double scene_open, double scene_close, const CutOuts* cut_outs)
     : data_(std::make_unique<Data>()) {
     CAROM_ASSERT(scene_open <= scene_close);
     const StaticGeometry::Data& shared = geometry.data();
@@ -155,6 +156,20 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
         }
     }
     structure_ = make_structure_of(shared, data_->motions);
+    if (cut_outs == nullptr) {
+        return;
+    }
+    Imath::Box3f bounds;
+    for (std::uint32_t i = 0; i < shared.objects.size(); ++i) {
+        const SceneObject& object = shared.objects[i];
+        if (object.material != kNoMaterial && cut_outs->is_cut_out(object.material)) {
+            bounds.extendBy(this->bounds(i));
+        }
+    }
+    if (!bounds.isEmpty()) {
+        whole_ = std::move(structure_);
+        structure_ = std::make_unique<CutOutStructure>(*this, *cut_outs, *whole_, bounds);
+    }
 }
 
 FrameScene::~FrameScene() = default;
@@ -163,6 +178,25 @@ SurfacePoint FrameScene::surface_at(const Ray& ray, const Hit& hit) const {
     CAROM_ASSERT(hit.object < data_->motions.size());
     return surface_of(data_->geometry->objects[hit.object], data_->motions[hit.object].get(), ray,
                       hit);
+}
+
+Imath::Box3f FrameScene::bounds(std::uint32_t index) const {
+    CAROM_ASSERT(index < data_->motions.size());
+    const SceneObject& object = data_->geometry->objects[index];
+    Imath::Box3f box;
+    if (object.kind == ShapeKind::plane) {
+        box.makeInfinite();
+    } else if (const RigidMotion* motion = data_->motions[index].get()) {
+        box = swept_bounds(*motion, object.bounding_radius);
+    } else if (object.kind == ShapeKind::mesh) {
+        for (const V3f& vertex : object.mesh->vertices) {
+            box.extendBy(object.place_of_vertex(vertex));
+        }
+    } else {
+        const V3f& centre = object.frame.world_from_unit.translation;
+        box = {centre - V3f(object.bounding_radius), centre + V3f(object.bounding_radius)};
+    }
+    return box;
 }
 
 V3f FrameScene::moved(std::uint32_t object, const V3f& position, float from_time,

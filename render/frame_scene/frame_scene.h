@@ -18,20 +18,26 @@ namespace carom::render {
 struct SceneObject;    // render/frame_scene/scene_object.h
 class RigidMotion;     // render/geometry/rigid_motion.h
 class StaticGeometry;  // render/frame_scene/static_geometry.h: shared by all frames
+class CutOuts;         // render/frame_scene/cut_outs.h
 
 /// Moving spheres keep their exact paths (Hermite segments between impacts); static shapes come
 /// from `StaticGeometry`.
 class FrameScene {
   public:
-    /// `scene_open` <= `scene_close`, s of scene time. `geometry` outlives this object. Throws
-    /// Error if an object names a track that is not among `tracks`.
+    /// `scene_open` <= `scene_close`, s of scene time. `geometry` and `cut_outs` (null: nothing is
+    /// cut out) outlive this object. Throws Error if an object names a track that is not among
+    /// `tracks`.
     FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
-               double scene_open, double scene_close);
+               double scene_open, double scene_close, const CutOuts* cut_outs = nullptr);
     ~FrameScene();
     FrameScene(const FrameScene&) = delete;
     FrameScene& operator=(const FrameScene&) = delete;
 
     [[nodiscard]] const AccelerationStructure& structure() const { return *structure_; }
+    /// Of whole surfaces, whatever is cut out of them.
+    [[nodiscard]] const AccelerationStructure& uncut() const {
+        return whole_ ? *whole_ : *structure_;
+    }
 
     /// The surface point of `hit` at the ray's time.
     [[nodiscard]] SurfacePoint surface_at(const Ray& ray, const Hit& hit) const;
@@ -59,6 +65,8 @@ class FrameScene {
     [[nodiscard]] const SceneObject& object(std::uint32_t object) const;
     /// By object: its motion during the shutter; null if it follows no track.
     [[nodiscard]] std::span<const std::shared_ptr<const RigidMotion>> motions() const;
+    /// Around all places of the object; infinite for planes.
+    [[nodiscard]] Imath::Box3f bounds(std::uint32_t object) const;
     /// Whether it follows a track.
     [[nodiscard]] bool moves(std::uint32_t object) const;
     [[nodiscard]] std::size_t object_count() const;
@@ -67,6 +75,7 @@ class FrameScene {
   private:
     struct Data;
     std::unique_ptr<Data> data_;
+    std::unique_ptr<AccelerationStructure> whole_;  // if some surfaces are cut out
     std::unique_ptr<AccelerationStructure> structure_;
 };
 

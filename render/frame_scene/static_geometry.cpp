@@ -25,8 +25,19 @@ std::uint32_t find_material(const SceneDescription& scene, const ObjectDescripti
 }
 
 bool has_texture(const MaterialDescription& material) {
-    const ColourSource& colour = material.phong ? material.phong->diffuse : material.surface.base;
-    return !std::holds_alternative<Vec3>(colour);
+    const auto varies = [](const ColourSource& colour) {
+        return !std::holds_alternative<Vec3>(colour);
+    };
+    if (material.phong) {
+        return varies(material.phong->diffuse);
+    }
+    const StandardMaterial& m = material.surface;
+    const NumberSource* const numbers[] = {&m.metal,       &m.roughness,      &m.specular, &m.sheen,
+                                           &m.coat.weight, &m.coat.roughness, &m.opacity};
+    return varies(m.base) || varies(m.emission) ||
+           !std::holds_alternative<std::monostate>(m.relief) ||
+           std::ranges::any_of(numbers,
+                               [](const NumberSource* number) { return number->texture(); });
 }
 
 /// Whether the axes of the unit shape are parallel to the world's, in any order and direction.

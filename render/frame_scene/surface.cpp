@@ -9,8 +9,8 @@ using scalar::One;
 using Point = scalar::SurfacePointOf<One>;
 using LocalRay = scalar::RayOf<One>;
 
-scalar::TextureNeeds needs_of(const SceneObject& object) {
-    return {object.has_texture, object.has_texture};
+TextureNeeds needs_of(const SceneObject& object) {
+    return {object.has_texture, object.has_texture, object.has_texture};
 }
 
 Point point_of_sphere(const SceneObject& object, const RigidMotion* motion, const LocalRay& ray,
@@ -43,8 +43,9 @@ Point point_of_mesh(const SceneObject& object, const Hit& hit) {
         scalar::point_on_mesh<One>(arrays_of(*object.mesh), on_mesh,
                                    object.mesh_is_mapped ? &place : nullptr, object.has_texture);
     if (object.has_texture) {
-        point.object_position =
-            scalar::affine_of<One>(object.metres_from_world).point(point.position);
+        const auto metres_from_body = scalar::affine_of<One>(object.metres_from_world);
+        point.object_position = metres_from_body.point(point.position);
+        scalar::set_axes<One>(metres_from_body, point);
     }
     return point;
 }
@@ -93,6 +94,9 @@ SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, co
     point.u_gradient = found.u_gradient;
     point.v_gradient = found.v_gradient;
     point.uv_metres = found.uv_metres;
+    point.x_axis = found.x_axis;
+    point.y_axis = found.y_axis;
+    point.z_axis = found.z_axis;
     point.offset = scalar::offset_at<One>(found.position, object.bounding_radius);
     point.object = hit.object;
     point.material = object.material;

@@ -58,7 +58,8 @@ struct SurfacePoint {
     /// and cones: longitude and height from the bottom, their ends as disks; planes: x and y.
     /// Except for meshes and planes in [0, 1].
     V2f uv{0, 0};
-    V3f u_gradient{0, 0, 0}, v_gradient{0, 0, 0};  // of u and v along the surface, 1/m
+    V3f u_gradient{0, 0, 0}, v_gradient{0, 0, 0};           // of u and v along the surface, 1/m
+    V3f x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};  // of the object, at the ray's time
     V2f uv_metres{0, 0};  // lengths over which u and v grow by 1 (spheres: at the equator), m
     float offset = 0;     // distance by which the next ray must start off the surface, m
     std::uint32_t object = kNoObject;

@@ -9,6 +9,7 @@
 #include "render/geometry/mesh_arrays.h"
 #include "render/geometry/motion_pieces.h"
 #include "render/geometry/shape_kind.h"
+#include "render/geometry/texture_needs.h"
 #include "render/lanes/scalar_kernels.h"
 
 #define CAROM_KERNELS "render/geometry/kernels/all.h"

@@ -1,6 +1,7 @@
 #include "render/integrator/path_integrator.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -54,6 +55,7 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
     PathQueue scattered;  // to be appended to `next`
     int vertex = 0;
     SurfaceQueue vertices;
+    std::array<Floats, kTexturedNumbers> numbers;
     ShadowQueue shadows;
     CameraSamples samples;
     IndexList near_spheres;
@@ -73,6 +75,12 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
         memory.reserve(integrator.most_paths_, of_even_vertices, of_odd_vertices, scattered,
                        vertices, near_spheres, missed, hit_paths, mirrored);
         memory.reserve(integrator.wave_samples_, samples);
+        if (scene.materials.varies) {
+            for (Floats& number : numbers) {
+                memory.reserve(integrator.most_paths_, number);
+            }
+            vertices.numbers = numbers.data();
+        }
         memory.reserve_shadows(integrator.most_paths_, scene.first_rays() + scene.further_rays(),
                                scene.materials.transmits, shadows);
     }
@@ -119,6 +127,7 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
     : scene_(scene),
       settings_(settings),
       caustics_(scene_),
+      varying_emitters_(scene_),
       light_tracer_(light_tracer),
       kernels_(&best_wave_kernels()),
       wave_scene_(make_wave_scene(
@@ -375,9 +384,12 @@ void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
         const auto light = scene_.lights.emissive_light(hit.object);
+        const PathQueue& paths = wave.paths();
+        const float width = paths.cone_width.at[index] + paths.cone_spread.at[index] * hit.t;
         const V3f radiance = light ? found_light(*light, index, hit, point.geometric_normal, wave)
                                    : material.emission();
-        wave.add_light(index, path.throughput * radiance);
+        wave.add_light(index, path.throughput * radiance *
+                                  varying_emitters_.factor(point, path.ray.direction, width));
     }
 }
 
@@ -396,10 +408,9 @@ void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& coun
     const Path path = path_of(paths, index);
     const V3f position = vertices.position.get(vertex);
     const V3f normal = vertices.geometric_normal.get(vertex);
-    const Material& material =
-        scene_.materials[static_cast<std::size_t>(vertices.material.at[vertex])];
     scalar::BsdfOf<scalar::One> bsdf{};
-    bsdf.layers = material.numbers();
+    scalar::set_layers<scalar::One>(wave_scene_.materials, vertices, vertex,
+                                    vertices.material.at[vertex], bsdf.layers);
     scalar::complete<scalar::One>(bsdf, vertices.base.get(vertex), normal,
                                   vertices.normal.get(vertex), -path.ray.direction, false);
     const V3f found =
@@ -417,6 +428,7 @@ void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
     }
     count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
     render::trace_shadows(scene_.frame.structure(), shadows);
+    varying_emitters_.correct(shadows);
     kernels_->sum_light(shadows);
     CAROM_VALIDATE(is_valid(shadows));
     for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {

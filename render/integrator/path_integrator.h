@@ -10,6 +10,7 @@
 #include "render/integrator/integrator.h"
 #include "render/integrator/light_tracer.h"
 #include "render/integrator/path_settings.h"
+#include "render/integrator/varying_emitters.h"
 #include "render/integrator/wave/make_wave_scene.h"
 #include "render/integrator/wave/queue_memory.h"
 #include "render/integrator/wave/wave_kernels.h"
@@ -66,6 +67,7 @@ class PathIntegrator final : public Integrator {
     TransportScene scene_;
     PathSettings settings_;
     Caustics caustics_;
+    VaryingEmitters varying_emitters_;
     const LightTracer* light_tracer_;
     const WaveKernels* kernels_;
     SceneArena arena_;

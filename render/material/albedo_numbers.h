@@ -9,6 +9,9 @@ namespace carom::render {
 /// Numbers in one table.
 inline constexpr int kAlbedoNodes = 32;
 
+/// Tables of a kind, of roughnesses from 0 to 1 in equal steps, if a material's roughness varies.
+inline constexpr int kAlbedoSlices = 16;
+
 /// Borrowed: one table of each kind for each material (AlbedoTable).
 struct AlbedoNumbers {
     const float* coat = nullptr;

@@ -20,6 +20,24 @@ float alpha_of(double roughness) {
     return alpha < kSmoothAlpha ? 0.0f : alpha;
 }
 
+/// A number that does not vary, or one that stands for it.
+float number_of(const NumberSource& source) {
+    const NumberTexture* varying = source.texture();
+    return fraction(varying == nullptr ? source.constant_or(0)
+                                       : (varying->range.x + varying->range.y) / 2);
+}
+
+V3f constant_emission(const StandardMaterial& m) {
+    const auto* constant = std::get_if<Vec3>(&m.emission);
+    return constant == nullptr ? V3f(0, 0, 0) : V3f(*constant * m.emission_strength);
+}
+
+/// Grey, which no colour of a texture lacks, and not black.
+V3f brightness(const V3f& mean) {
+    constexpr float kLeast = 1e-3F;
+    return V3f(std::max({mean.x, mean.y, mean.z, kLeast}));
+}
+
 V3f limited(const V3f& c) {
     return {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f)};
 }
@@ -27,19 +45,17 @@ V3f limited(const V3f& c) {
 }  // namespace
 
 Material::Material(const StandardMaterial& description, ImageCache& images, AlbedoTables& tables)
-    : texture_(description.base, images),
+    : textures_(description, images),
       glass_(glass_constants(description, tables)),
       phong_(phong_model(description)),
-      emission_(std::holds_alternative<Vec3>(description.emission)
-                    ? V3f(std::get<Vec3>(description.emission) * description.emission_strength)
-                    : V3f(0, 0, 0)),
-      bump_(texture_.has_relief() ? fraction(description.bump) : 0.0f) {
+      emission_(emission_varies() ? brightness(textures_.mean_emission())
+                                  : constant_emission(description)) {
     set_phong();
     set_layers(description, tables);
 }
 
 Material::Material(const PhongMaterial& description, ImageCache& images)
-    : texture_(description.diffuse, images),
+    : textures_(description, images),
       phong_(phong_model(description)),
       emission_(description.emission) {
     numbers_.any_phong = numbers_.is_phong = true;
@@ -50,25 +66,33 @@ Material::Material(const PhongMaterial& description, ImageCache& images)
 }
 
 void Material::set_layers(const StandardMaterial& m, AlbedoTables& tables) {
-    numbers_.coat_weight = fraction(m.coat.weight.constant_or(0));
+    numbers_.coat_weight = number_of(m.coat.weight);
     numbers_.coat_ior = static_cast<float>(std::clamp(m.coat.ior, 1.0, 3.0));
-    numbers_.coat_alpha = alpha_of(m.coat.roughness.constant_or(0));
-    numbers_.sheen = fraction(m.sheen.constant_or(0));
+    numbers_.coat_alpha = alpha_of(number_of(m.coat.roughness));
+    numbers_.sheen = number_of(m.sheen);
     numbers_.sheen_colour = limited(V3f(m.sheen_colour));
-    numbers_.metal = fraction(m.metal.constant_or(0));
-    numbers_.specular = fraction(m.specular.constant_or(0));
-    numbers_.alpha = alpha_of(m.roughness.constant_or(0.5));
-    if (numbers_.coat_weight > 0 && numbers_.coat_alpha > 0) {
-        keep(tables.of_dielectric(numbers_.coat_alpha, numbers_.coat_ior), numbers_.tables.coat);
+    numbers_.metal = number_of(m.metal);
+    numbers_.specular = number_of(m.specular);
+    numbers_.alpha = alpha_of(number_of(m.roughness));
+    if (has_rough_coat()) {
+        keep_slices(
+            numbers_.coat_alpha,
+            [&](float alpha) { return tables.of_dielectric(alpha, numbers_.coat_ior); },
+            numbers_.tables.coat);
     }
-    if (numbers_.sheen > 0) {
+    if (m.sheen.most() > 0) {
         keep(tables.of_sheen(), numbers_.tables.sheen);
     }
-    if (numbers_.alpha > 0 && numbers_.specular > 0) {
-        keep(tables.of_dielectric(numbers_.alpha, kSpecularIor), numbers_.tables.specular);
+    const bool is_rough = numbers_.alpha > 0 || varies();
+    if (is_rough && m.specular.most() > 0) {
+        keep_slices(
+            numbers_.alpha, [&](float alpha) { return tables.of_dielectric(alpha, kSpecularIor); },
+            numbers_.tables.specular);
     }
-    if (numbers_.alpha > 0 && numbers_.metal > 0) {
-        keep(tables.of_mirrors(numbers_.alpha), numbers_.tables.mirror);
+    if (is_rough && m.metal.most() > 0) {
+        keep_slices(
+            numbers_.alpha, [&](float alpha) { return tables.of_mirrors(alpha); },
+            numbers_.tables.mirror);
     }
     static const GlassConstants kNone;
     const GlassConstants& glass = glass_ ? *glass_ : kNone;
@@ -84,9 +108,9 @@ void Material::set_layers(const StandardMaterial& m, AlbedoTables& tables) {
 }
 
 void Material::set_phong() {
-    static const AlbedoTable kNone;
+    static const std::array<float, std::size_t{kAlbedoSlices} * kAlbedoNodes> kNone{};
     for (const float** numbers : AlbedoNumbers::each(numbers_.tables)) {
-        *numbers = kNone.values().data();
+        *numbers = kNone.data();
     }
     numbers_.phong = {phong_.specular,
                       phong_.reflectance,
@@ -101,20 +125,38 @@ void Material::set_phong() {
 }
 
 void Material::keep(const AlbedoTable& table, const float*& numbers) {
-    tables_.push_back(std::make_shared<const AlbedoTable>(table));
-    numbers = tables_.back()->values().data();
+    keep_slices(
+        0, [&](float /*alpha*/) { return table; }, numbers);
+}
+
+template <class Table>
+void Material::keep_slices(float alpha, const Table& table_of, const float*& numbers) {
+    std::vector<float> values;
+    for (int k = 0; k < table_slices(); ++k) {
+        const float roughness = static_cast<float>(k) / (kAlbedoSlices - 1);
+        const AlbedoTable& table =
+            table_of(varies() ? std::max(roughness * roughness, kSmoothAlpha) : alpha);
+        values.insert(values.end(), table.values().begin(), table.values().end());
+    }
+    tables_.push_back(std::make_shared<const std::vector<float>>(std::move(values)));
+    numbers = tables_.back()->data();
+}
+
+bool Material::has_rough_coat() const {
+    return numbers_.coat_weight > 0 && (numbers_.coat_alpha > 0 || varies());
 }
 
 std::optional<V3f> Material::constant_base() const {
-    const auto colour = texture_.constant();
-    return colour ? std::optional(limited(*colour)) : std::nullopt;
+    const TextureData& base = textures_.base();
+    return base.kind == TextureKind::plain ? std::optional(limited(base.plain)) : std::nullopt;
 }
 
 bool Material::is_mirror() const {
     const bool base_mirrors = numbers_.alpha == 0 && (numbers_.metal > 0 || numbers_.specular > 0);
     const bool coat_mirrors = numbers_.coat_weight > 0 && numbers_.coat_alpha == 0;
     const bool coat_blurs = numbers_.coat_weight > 0 && numbers_.coat_alpha > 0;
-    if (is_phong() || is_glass() || bump_ > 0 || (base_mirrors && coat_blurs)) {
+    if (is_phong() || is_glass() || has_relief() || varies() || is_cut_out() ||
+        (base_mirrors && coat_blurs)) {
         return false;
     }
     return base_mirrors ? numbers_.sheen == 0 && constant_base().has_value() : coat_mirrors;
@@ -123,7 +165,7 @@ bool Material::is_mirror() const {
 bool Material::is_clear_glass() const {
     return !is_phong() && glass_ && glass_->alpha == 0 && glass_->ior > 1 &&
            numbers_.transmission >= 1 && numbers_.coat_weight <= 0 && numbers_.metal <= 0 &&
-           numbers_.sheen <= 0 && bump_ <= 0;
+           numbers_.sheen <= 0 && !has_relief() && !varies() && !is_cut_out();
 }
 
 V3f Material::mirror_reflectance(float cosine) const {

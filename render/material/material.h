@@ -9,10 +9,10 @@
 #include "render/material/albedo_tables.h"
 #include "render/material/glass.h"
 #include "render/material/lobe_constants.h"
+#include "render/material/material_textures.h"
 #include "render/material/phong.h"
 #include "render/material/scalar_kernels.h"
 #include "render/scene/material_description.h"
-#include "render/texture/texture.h"
 
 namespace carom::render {
 
@@ -27,18 +27,28 @@ class Material {
     [[nodiscard]] const scalar::LayersOf<scalar::One>& numbers() const { return numbers_; }
     /// Null: not transmissive.
     [[nodiscard]] const GlassConstants* glass() const { return glass_.get(); }
-    [[nodiscard]] const Texture& texture() const { return texture_; }
-    /// Strength of the texture's relief, 0 without one.
-    [[nodiscard]] float bump() const { return bump_; }
+    [[nodiscard]] const TexturesOfMaterial& textures() const { return textures_; }
+    /// Whether its numbers vary over the surface; `numbers` then has others in their place.
+    [[nodiscard]] bool varies() const { return textures_.numbers().varies; }
+    /// Of a kind, for as many roughnesses.
+    [[nodiscard]] int table_slices() const { return varies() ? kAlbedoSlices : 1; }
+    /// Whether it has somewhere, or may have, a rough coat.
+    [[nodiscard]] bool has_rough_coat() const;
 
     /// Albedo or reflectance if it is constant over the surface.
     [[nodiscard]] std::optional<V3f> constant_base() const;
 
     /// The model for the distributed integrator.
     [[nodiscard]] const PhongModel& phong() const { return phong_; }
-    /// Radiance of the surface's front, W/(m^2 sr).
+    /// Radiance of the surface's front, W/(m^2 sr); if it varies, about its mean.
     [[nodiscard]] const V3f& emission() const { return emission_; }
     [[nodiscard]] bool is_emissive() const { return emission_ != V3f(0, 0, 0); }
+    [[nodiscard]] bool emission_varies() const { return textures_.numbers().emission >= 0; }
+    /// Whether rays may pass by it as if it were not there.
+    [[nodiscard]] bool is_cut_out() const {
+        const NumberPick& opacity = textures_.numbers().opacity;
+        return opacity.texture >= 0 || opacity.at_zero < 1;
+    }
 
     /// Whether it reflects specularly by a smooth coat or a smooth base, everywhere along the
     /// geometric normal and with constant reflectance.
@@ -59,15 +69,20 @@ class Material {
   private:
     void set_layers(const StandardMaterial& m, AlbedoTables& tables);
     void set_phong();
+    [[nodiscard]] bool has_relief() const {
+        return textures_.numbers().relief.kind != ReliefParameters::Kind::none;
+    }
     void keep(const AlbedoTable& table, const float*& numbers);
+    /// The tables of all roughnesses, or of this alpha if roughness does not vary.
+    template <class Table>
+    void keep_slices(float alpha, const Table& table_of, const float*& numbers);
 
-    Texture texture_;
+    TexturesOfMaterial textures_;
     scalar::LayersOf<scalar::One> numbers_{};
-    std::vector<std::shared_ptr<const AlbedoTable>> tables_;
+    std::vector<std::shared_ptr<const std::vector<float>>> tables_;
     std::shared_ptr<const GlassConstants> glass_;
     PhongModel phong_;
     V3f emission_{0, 0, 0};
-    float bump_ = 0;
 };
 
 }  // namespace carom::render

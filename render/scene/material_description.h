@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,34 +12,23 @@
 
 #include "core/fields.h"
 #include "core/vectors.h"
+#include "render/scene/texture_words.h"
 
 namespace carom::render {
-
-/// How pictures and flat patterns are laid on a surface. All but `uv` and `own` project the place
-/// in the object's axes, in metres, scaled like the object.
-enum class Mapping : std::uint8_t {
-    own,        // pictures: uv; patterns: the object's own axes
-    uv,         // SurfacePoint::uv; patterns: times its lengths, m
-    planar,     // along `facing`
-    box,        // along the axis that the surface faces most
-    spherical,  // longitude and latitude around the object's origin; patterns: times lengths, m
-};
 
 /// The place of a texture on a surface.
 struct Placement {
     Mapping mapping = Mapping::own;
     Vec3 facing{0, 0, 1};  // planar: the side, in object axes, from which the texture is upright
     double rotation = 0;   // counter-clockwise about the texture's origin, rad
+
+    bool operator==(const Placement&) const = default;
 };
 constexpr auto fields_of(Describes<Placement>) {
     using T = Placement;
     return fields<T>(field("mapping", &T::mapping), field("facing", &T::facing),
                      field("rotation", &T::rotation));
 }
-
-/// What of a picture counts where a number is wanted. `automatic`: alpha for an opacity if the
-/// picture has it; otherwise luminance.
-enum class PictureChannel : std::uint8_t { automatic, red, green, blue, alpha, luminance };
 
 /// An image file; its lower left corner is at uv (0, 0). With a mapping in metres one repeat is 1
 /// m.
@@ -54,6 +42,8 @@ struct ImageTexture {
     std::optional<Vec3> background{};  // shown where it is transparent; none: kTransparentColour
     Vec3 tint{1, 1, 1};                // factor on the colour
     PictureChannel channel = PictureChannel::automatic;
+
+    bool operator==(const ImageTexture&) const = default;
 };
 constexpr auto fields_of(Describes<ImageTexture>) {
     using T = ImageTexture;

@@ -130,8 +130,8 @@ ColourPyramid make_weave() {
     for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x) {
             texels.push_back(HalfColourCodec::encode(
-                V3f(at(x, y) - mean, (at(x + 1, y) - at(x - 1, y)) * 0.5f * kTexelsPerThread,
-                    (at(x, y + 1) - at(x, y - 1)) * 0.5f * kTexelsPerThread)));
+                {at(x, y) - mean, (at(x + 1, y) - at(x - 1, y)) * 0.5f * kTexelsPerThread,
+                 (at(x, y + 1) - at(x, y - 1)) * 0.5f * kTexelsPerThread, 1}));
         }
     }
     return ColourPyramid(kSize, kSize, texels, Wrap::repeat);

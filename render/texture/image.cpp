@@ -79,13 +79,15 @@ LinearImage read_linear_image(const std::string& path, bool is_linear, const V3f
     return image;
 }
 
-V3f HalfColourCodec::decode(const Texel& texel) {
-    const auto both = std::uint32_t{texel.r} | std::uint32_t{texel.g} << 16;
-    return scalar::half_colour<scalar::One>(both, texel.b);
+ColourWithAlpha HalfColourCodec::decode(const Texel& texel) {
+    const auto first = std::uint32_t{texel.r} | std::uint32_t{texel.g} << 16;
+    const auto second = std::uint32_t{texel.b} | std::uint32_t{texel.alpha} << 16;
+    const V3f colour = scalar::half_colour<scalar::One>(first, second);
+    return {colour.x, colour.y, colour.z, scalar::half_colour<scalar::One, true>(first, second).x};
 }
 
-HalfColourCodec::Texel HalfColourCodec::encode(const V3f& value) {
-    return {half_of(value.x), half_of(value.y), half_of(value.z), 0};
+HalfColourCodec::Texel HalfColourCodec::encode(const Value& value) {
+    return {half_of(value.x), half_of(value.y), half_of(value.z), half_of(value.w)};
 }
 
 HalfNumberCodec::Texel HalfNumberCodec::encode(Value value) {
@@ -117,11 +119,11 @@ std::size_t code_at(const RawPicture& picture, std::size_t i) {
 
 /// A colour, or a number of a grey picture.
 template <class Value>
-Value value_of(const V3f& colour) {
+Value value_of(const V3f& colour, float alpha) {
     if constexpr (std::is_same_v<Value, float>) {
         return colour.x;
     } else {
-        return colour;
+        return {colour.x, colour.y, colour.z, alpha};
     }
 }
 
@@ -144,12 +146,12 @@ MipPyramid<Codec> ImagePyramid::levels_behind(const RawPicture& picture) const {
                 const int y1 = std::min(2 * y + 1, height_ - 1);
                 const V3f mean = mean_of_four(from(2 * x, 2 * y), from(x1, 2 * y), from(2 * x, y1),
                                               from(x1, y1));
-                return Codec::encode(value_of<typename Codec::Value>(mean));
+                return Codec::encode(value_of<typename Codec::Value>(mean, 1));
             }};
 }
 
-ImagePyramid::ImagePyramid(RawPicture picture, bool is_linear, const V3f& background)
-    : width_(picture.width), height_(picture.height) {
+ImagePyramid::ImagePyramid(RawPicture picture, bool is_linear)
+    : width_(picture.width), height_(picture.height), has_alpha_(picture.has_alpha()) {
     CAROM_ASSERT(fits(picture));
     const auto set_levels = [&]<class Codec>(Codec) {
         if (!values_.empty()) {
@@ -157,8 +159,8 @@ ImagePyramid::ImagePyramid(RawPicture picture, bool is_linear, const V3f& backgr
             return;
         }
         levels_ = MipPyramid<Codec>(width_, height_, Wrap::repeat, [&](int x, int y) {
-            const V3f colour = colour_of(pixel_light(picture, place(x, y), is_linear), background);
-            return Codec::encode(value_of<typename Codec::Value>(colour));
+            const PixelLight light = pixel_light(picture, place(x, y), is_linear);
+            return Codec::encode(value_of<typename Codec::Value>(light.colour, light.alpha));
         });
     };
     if (has_codes(picture)) {
@@ -179,6 +181,7 @@ ImageTables ImagePyramid::tables() const {
     ImageTables tables;
     tables.levels = std::visit([](const auto& levels) { return levels.tables(); }, levels_);
     tables.is_grey = std::holds_alternative<MipPyramid<HalfNumberCodec>>(levels_);
+    tables.has_alpha = has_alpha_;
     tables.width = width_;
     tables.height = height_;
     if (!values_.empty()) {
@@ -189,16 +192,19 @@ ImageTables ImagePyramid::tables() const {
     return tables;
 }
 
-std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path, bool is_linear,
-                                                       const V3f& background) {
-    RawPicture picture = read_picture(path);
-    if (!ImagePyramid::fits(picture)) {
+void check_fits(const std::string& path, const RawPicture& picture, bool fits) {
+    if (!fits) {
         throw Error(fmt::format(
             "image '{}' is {} x {} pixels, which as a texture would take more than 2 GiB; make it "
             "smaller",
             path, picture.width, picture.height));
     }
-    return std::make_shared<const ImagePyramid>(std::move(picture), is_linear, background);
+}
+
+std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path, bool is_linear) {
+    RawPicture picture = read_picture(path);
+    check_fits(path, picture, ImagePyramid::fits(picture));
+    return std::make_shared<const ImagePyramid>(std::move(picture), is_linear);
 }
 
 }  // namespace carom::render

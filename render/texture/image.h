@@ -27,12 +27,15 @@ struct LinearImage {
 [[nodiscard]] LinearImage read_linear_image(const std::string& path, bool is_linear,
                                             const V3f& background = V3f(0));
 
+/// A colour and its alpha.
+using ColourWithAlpha = Imath::Vec4<float>;
+
 /// Half-float storage: 8 bytes per texel.
 struct HalfColourCodec {
     struct Texel {
-        std::uint16_t r, g, b, unused;
+        std::uint16_t r, g, b, alpha;
     };
-    using Value = V3f;
+    using Value = ColourWithAlpha;
     static Value decode(const Texel& texel);
     static Texel encode(const Value& value);
 };
@@ -49,17 +52,18 @@ struct HalfNumberCodec {
 
 /// The levels of a picture that repeats. Grey stays grey, and opaque integers of 8 or 16 bits stay
 /// what they are in the finest level: there a table has the half-float light that each means. All
-/// else are half floats.
+/// else are half floats. Colours of pictures with alpha are multiplied by it.
 class ImagePyramid {
   public:
     /// `picture`: of which fits() is true.
-    ImagePyramid(RawPicture picture, bool is_linear, const V3f& background);
+    ImagePyramid(RawPicture picture, bool is_linear);
 
     /// Whether kernels reach all of its levels.
     [[nodiscard]] static bool fits(const RawPicture& picture);
 
     /// For kernels; valid as long as this object is.
     [[nodiscard]] ImageTables tables() const;
+    [[nodiscard]] bool has_alpha() const { return has_alpha_; }
 
   private:
     [[nodiscard]] std::size_t place(int x, int y) const {
@@ -74,10 +78,14 @@ class ImagePyramid {
     PictureValues codes_;        // numbers, of which there are none, if the finest level has none
     std::vector<float> values_;  // of the codes
     std::variant<ColourPyramid, MipPyramid<HalfNumberCodec>> levels_;
+    bool has_alpha_;
 };
 
+/// Throws Error, with the path, if kernels do not reach all of the picture.
+void check_fits(const std::string& path, const RawPicture& picture, bool fits);
+
 /// Throws Error if the file cannot be read or does not fit.
-[[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(
-    const std::string& path, bool is_linear, const V3f& background = V3f(0));
+[[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path,
+                                                                     bool is_linear);
 
 }  // namespace carom::render

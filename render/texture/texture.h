@@ -1,12 +1,10 @@
-// A material's colour, ready to be evaluated: a ColourSource with its files read.
+// Textures of surfaces, from descriptions.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
-#include <variant>
 
 #include "core/memo_table.h"
 #include "render/geometry/ray.h"
@@ -14,6 +12,7 @@
 #include "render/texture/cloth_tiles.h"
 #include "render/texture/image.h"
 #include "render/texture/number_mask.h"
+#include "render/texture/relief_picture.h"
 #include "render/texture/texture_data.h"
 
 namespace carom::render {
@@ -23,24 +22,33 @@ namespace carom::render {
 class ImageCache {
   public:
     /// Throws Error with the file's name.
-    [[nodiscard]] std::shared_ptr<const ImagePyramid> file(const ImageTexture& image);
+    [[nodiscard]] std::shared_ptr<const ImagePyramid> file(const std::string& path, bool is_linear);
+    [[nodiscard]] std::shared_ptr<const SlopePicture> normals(const std::string& path);
+    [[nodiscard]] std::shared_ptr<const SlopePicture> heights(const std::string& path,
+                                                              PictureChannel channel);
     /// Throws Error if the font is missing.
     [[nodiscard]] std::shared_ptr<const CoverageMask> number(int number);
     [[nodiscard]] std::shared_ptr<const ClothTiles> cloth_tiles();
 
   private:
-    using Background = std::array<double, 3>;
-    MemoTable<std::tuple<std::string, bool, Background>, std::shared_ptr<const ImagePyramid>>
-        images_;
+    MemoTable<std::tuple<std::string, bool>, std::shared_ptr<const ImagePyramid>> images_;
+    /// Of normals: no channel.
+    MemoTable<std::tuple<std::string, std::optional<PictureChannel>>,
+              std::shared_ptr<const SlopePicture>>
+        slopes_;
     MemoTable<int, std::shared_ptr<const CoverageMask>> numbers_;
     MemoTable<int, std::shared_ptr<const ClothTiles>> cloth_tiles_;  // only one
 };
 
-/// Immutable; evaluated by any number of threads.
+/// One texture but a mix. Immutable; evaluated by any number of threads.
 class Texture {
   public:
-    /// Throws Error if a file or the font for a ball's number is missing.
-    Texture(const ColourSource& source, ImageCache& images);
+    /// `is_bare`: transparent parts of a picture without a background have the colour of what is
+    /// opaque there. Throws Error if a file or the font for a ball's number is missing.
+    Texture(const ColourSource& source, ImageCache& images, bool is_bare = false);
+    /// The slopes of a picture.
+    Texture(const NormalPicture& normals, ImageCache& images);
+    Texture(const ImageTexture& heights, PictureChannel channel, ImageCache& images);
 
     /// The colour if it is constant.
     [[nodiscard]] std::optional<V3f> constant() const {
@@ -49,11 +57,13 @@ class Texture {
 
     [[nodiscard]] bool has_relief() const { return data_.kind == TextureKind::cloth; }
 
-    /// For `colour_of` and, if `has_relief`, `relief_of` in lanes (kernels/texture.h); valid as
-    /// long as this object or a copy of it is.
+    /// For `value_of` and, if `has_relief`, `relief_of_cloth` in lanes (kernels/texture.h); valid
+    /// as long as this object or a copy of it is.
     [[nodiscard]] const TextureData& data() const { return data_; }
 
   private:
+    void set_picture(const ImageTexture& image, const ImageTables& picture);
+
     TextureData data_;
     std::shared_ptr<const void> pictures_;  // to which data_ points
 };

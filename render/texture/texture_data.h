@@ -4,7 +4,9 @@
 #include <cstdint>
 
 #include "render/geometry/ray.h"
+#include "render/geometry/texture_needs.h"
 #include "render/lanes/list.h"
+#include "render/scene/texture_words.h"
 
 namespace carom::render {
 
@@ -28,6 +30,7 @@ struct PyramidTables {
 struct ImageTables {
     PyramidTables levels;  // of half-float colours or numbers; with codes, without the finest one
     bool is_grey = false;
+    bool has_alpha = false;  // of which colours are multiples; not with codes
     /// The finest level as the file has it, row by row without a border, if it exists. Colours are
     /// three codes, one after the other.
     List<std::uint8_t> codes;  // of 8 or 16 bits
@@ -43,13 +46,22 @@ struct ImageTables {
     }
 };
 
+/// Where a texture lies (Placement).
+struct PlacementParameters {
+    Mapping mapping = Mapping::own;
+    V3f right{1, 0, 0}, up{0, 1, 0};  // planar: in object axes
+    V2f turn{1, 0};                   // cosine and sine of the rotation
+};
+
 /// A picture laid onto a surface.
 struct ImageParameters {
     ImageTables picture;
     V2f repeats{1, 1};  // along u and v; with `by_size`: per metre
     bool by_size = false;
     V2f offset{0, 0};
-    V2f turn{1, 0};  // cosine and sine of the rotation
+    V3f tint{1, 1, 1};
+    V3f background{0, 0, 0};  // shown where it is transparent...
+    bool is_bare = false;     // ... or else, the colour of what is opaque there
 };
 
 /// The paint of a billiard ball. Solid: one colour; striped: white with a band of the colour around
@@ -88,18 +100,46 @@ struct CheckerParameters {
     float size = 0;  // m
 };
 
-enum class TextureKind : std::uint8_t { plain, image, ball, cloth, wood, checker };
+/// A number that a texture gives at a point: its value or one channel of it, of which 0 and 1 mean
+/// these two numbers.
+struct NumberPick {
+    std::int32_t texture = -1;  // place in the material's list; -1: `at_zero` everywhere
+    PictureChannel channel = PictureChannel::luminance;
+    float at_zero = 0;
+    float at_one = 1;
+};
+
+/// Two textures of the material's list, and how much the second one counts.
+struct MixParameters {
+    std::int32_t a = 0, b = 0;
+    NumberPick by;
+};
+
+/// `normals` and `heights`: pictures of slopes (relief_picture.h).
+enum class TextureKind : std::uint8_t {
+    plain,
+    image,
+    ball,
+    cloth,
+    wood,
+    checker,
+    mix,
+    normals,
+    heights
+};
 
 /// A texture of any kind. Only the numbers of that kind count; they lie side by side, since a
-/// device has no std::variant. A kind needs a case in `colour_of` (kernels/texture.h).
+/// device has no std::variant. A kind needs a case in `value_of` (kernels/texture.h).
 struct TextureData {
     TextureKind kind = TextureKind::plain;
+    PlacementParameters placement;
     V3f plain{0, 0, 0};
     ImageParameters image;
     BallParameters ball;
     ClothParameters cloth;
     WoodParameters wood;
     CheckerParameters checker;
+    MixParameters mix;
 
     /// Calls `visit` with every list.
     template <class Visit>
@@ -110,6 +150,49 @@ struct TextureData {
         cloth.nap.each_list(visit);
         cloth.wear.each_list(visit);
     }
+};
+
+/// Numbers of a material that textures may give, in the order of kernels/material_numbers.h.
+enum TexturedNumber : std::uint8_t {
+    kCoatWeight,
+    kCoatRoughness,
+    kSheen,
+    kMetal,
+    kSpecular,
+    kRoughness,
+    kTexturedNumbers
+};
+
+/// The relief of a surface.
+struct ReliefParameters {
+    /// `own`: of the cloth that is the base; `slopes`: of a picture, kind `normals` or `heights`;
+    /// `differences`: of any textures, from three places of them.
+    enum class Kind : std::uint8_t { none, own, slopes, differences };
+    Kind kind = Kind::none;
+    float strength = 0;                // factor on slopes; of heights: m
+    std::int32_t texture = -1;         // of `slopes`
+    NumberPick height;                 // of `differences`...
+    std::int32_t first = 0, last = 0;  // ... and the textures that it depends on
+};
+
+/// The textures of a material, and what they are for.
+struct MaterialTextures {
+    static constexpr int kMost = 32;  // in the list
+
+    /// In the scene's list. A mix follows what it mixes; what only light and opacity need comes
+    /// last.
+    std::int32_t first = 0;
+    std::int32_t count = 0;
+    std::int32_t of_surface = 0;  // as many from the first one on describe how it scatters
+    std::int32_t base = 0;        // place in the list
+    std::int32_t emission = -1;   // likewise; -1: constant
+    float emission_strength = 1;
+    NumberPick numbers[kTexturedNumbers];  // NOLINT(*-avoid-c-arrays): a device has no std::array
+    NumberPick opacity;
+    ReliefParameters relief;
+    TextureNeeds needs;
+    bool only_base = true;  // the rest of what scatters is constant, without slopes of pictures
+    bool varies = false;    // the numbers do
 };
 
 /// Cells along the sides of ClothTiles: threads of the weave, cells of the nap's noise, and the

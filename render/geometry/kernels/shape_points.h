@@ -1,12 +1,15 @@
 // Points on the shapes of a scene in lanes: spheres, boxes along the axes, and unit shapes under
 // affine maps, at rest or moving with a body. Included as render/lanes/kernels/vectors.h is.
 
-/// What a texture needs to know: `object_position` if there is one, uv and its lengths if it is an
-/// image.
-struct TextureNeeds {
-    bool position = false;
-    bool uv = false;
-};
+/// Sets the object's axes, in those of the body.
+template <class L>
+CAROM_KERNEL void set_axes(const AffineOf<L>& metres_from_body, SurfacePointOf<L>& point) {
+    const auto zero = L::all(0);
+    const auto one = L::all(1);
+    point.x_axis = metres_from_body.inverse_normal({one, zero, zero});
+    point.y_axis = metres_from_body.inverse_normal({zero, one, zero});
+    point.z_axis = metres_from_body.inverse_normal({zero, zero, one});
+}
 
 /// The point of a sphere around `centre` that a ray hits at distance t, without the place on its
 /// texture.
@@ -29,6 +32,9 @@ CAROM_KERNEL void set_place_on_sphere(const AffineOf<L>& metres_from_body, const
                                       SurfacePointOf<L>& point) {
     if (needs.position) {
         point.object_position = metres_from_body.vector(arm);
+    }
+    if (needs.axes) {
+        set_axes<L>(metres_from_body, point);
     }
     if (needs.uv) {
         point.uv = longitude_latitude<L>(point.object_position);
@@ -88,6 +94,9 @@ CAROM_KERNEL SurfacePointOf<L> point_on_shape(ShapeKind kind, const MappedShapeO
     if (needs.position) {
         point.object_position = shape.metres_from_body.point(point.position);
     }
+    if (needs.axes) {
+        set_axes<L>(shape.metres_from_body, point);
+    }
     if (needs.uv) {
         point.uv = on_unit.uv;
         point.uv_metres = on_unit.uv_metres;
@@ -99,6 +108,9 @@ CAROM_KERNEL SurfacePointOf<L> point_on_shape(ShapeKind kind, const MappedShapeO
 
 template <class L>
 CAROM_KERNEL void turn_gradients(const RotationOf<L>& turn, SurfacePointOf<L>& point) {
+    point.x_axis = turn.apply(point.x_axis);
+    point.y_axis = turn.apply(point.y_axis);
+    point.z_axis = turn.apply(point.z_axis);
     point.u_gradient = turn.apply(point.u_gradient);
     point.v_gradient = turn.apply(point.v_gradient);
 }

@@ -77,7 +77,9 @@ LightTree make_tree(const LightSet& lights, std::vector<WaveLight>& made) {
 WaveMaterials make_materials(const std::vector<Material>& all, SceneArena& arena) {
     WaveMaterials materials;
     NumberTable layers, glass, phong;
-    std::vector<float> is_phong, albedos;
+    std::vector<float> is_phong, slices;
+    std::vector<std::int32_t> first_albedo;
+    std::int32_t nodes = 0;  // of tables of a kind
     const auto has = [&](bool (Material::*trait)() const) {
         return std::any_of(all.begin(), all.end(),
                            [&](const Material& material) { return (material.*trait)(); });
@@ -88,11 +90,15 @@ WaveMaterials make_materials(const std::vector<Material>& all, SceneArena& arena
         glass.add(numbers.glass);
         phong.add(numbers.phong);
         is_phong.push_back(material.is_phong() ? 1.0F : 0.0F);
+        slices.push_back(static_cast<float>(material.table_slices()));
+        first_albedo.push_back(nodes);
+        nodes += material.table_slices() * kAlbedoNodes;
     }
+    std::vector<float> albedos;
     for (std::size_t kind = 0; kind < kAlbedoKinds; ++kind) {
         for (const Material& material : all) {
             const float* const table = *AlbedoNumbers::each(material.numbers().tables)[kind];
-            albedos.insert(albedos.end(), table, table + kAlbedoNodes);
+            albedos.insert(albedos.end(), table, table + material.table_slices() * kAlbedoNodes);
         }
     }
     materials.transmits = has(&Material::is_transmissive);
@@ -100,7 +106,10 @@ WaveMaterials make_materials(const std::vector<Material>& all, SceneArena& arena
     materials.glass = has(&Material::is_glass) ? glass.rows(arena) : NumberRows{};
     materials.phong = has(&Material::is_phong) ? phong.rows(arena) : NumberRows{};
     materials.is_phong = arena.add(is_phong);
-    materials.albedos = {arena.add(albedos), static_cast<std::int32_t>(all.size()) * kAlbedoNodes};
+    materials.albedos = {arena.add(albedos), nodes};
+    materials.first_albedo = arena.add(first_albedo);
+    materials.slices = arena.add(slices);
+    materials.varies = has(&Material::varies);
     return materials;
 }
 
@@ -129,10 +138,15 @@ WaveScene& make_in(const TransportScene& scene, const WaveSetUp& set_up, SceneAr
     add_objects(scene, known, arena);
     known.materials = make_materials(scene.materials, arena);
     std::vector<TextureData> textures;
+    std::vector<MaterialTextures> textures_of;
     for (const Material& material : scene.materials) {
-        textures.push_back(material.texture().data());
+        const std::vector<TextureData>& list = material.textures().list();
+        textures_of.push_back(material.textures().numbers());
+        textures_of.back().first = static_cast<std::int32_t>(textures.size());
+        textures.insert(textures.end(), list.begin(), list.end());
     }
     known.textures = arena.add(textures);
+    known.textures_of = arena.add(textures_of);
     set_up(known, arena);
     return known;
 }

@@ -68,6 +68,8 @@ struct SurfaceQueue {
     Floats3 geometric_normal, normal;  // on the viewer's side
     Floats offset;                     // m
     Floats3 base;
+    /// The TexturedNumbers, by their order, in scenes where those of materials vary: an array each.
+    const Floats* numbers = nullptr;
     Words from_behind;  // 1 or 0; in scenes with surfaces that transmit
     Words ends;         // 1: the path ends here
 

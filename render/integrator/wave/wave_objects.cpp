@@ -47,14 +47,11 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     group.shape = object.kind;
     group.moves = moves;
     group.material = object.material;
-    group.bump = material.bump();
     if (const GlassConstants* glass = material.glass(); glass != nullptr) {
         group.absorption = glass->absorption;
         group.absorbs = glass->absorption != V3f(0, 0, 0);
     }
-    const TextureKind texture = material.texture().data().kind;
-    group.has_texture = texture != TextureKind::plain;
-    group.needs_uv = texture == TextureKind::image;
+    group.needs = material.textures().numbers().needs;
     if (group.kind == WaveGroup::Kind::mesh) {
         group.mesh = arrays_of(*object.mesh);
         group.mesh_is_mapped = object.mesh_is_mapped;
@@ -66,11 +63,9 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
 }
 
 std::uint8_t traits_of(const Material& material) {
-    const auto& layers = material.numbers();
-    const bool has_gloss = layers.coat_weight > 0 && layers.coat_alpha > 0;
     return static_cast<std::uint8_t>((material.is_transmissive() ? kTransmits : 0) |
                                      (material.is_emissive() ? kEmits : 0) |
-                                     (has_gloss ? kHasGloss : 0));
+                                     (material.has_rough_coat() ? kHasGloss : 0));
 }
 
 /// Puts the pieces of objects' motions together.

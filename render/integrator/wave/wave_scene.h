@@ -62,8 +62,13 @@ struct WaveMaterials {
     NumberRows glass, phong;  // exist if some material has them
     List<float> is_phong;     // 1 or 0
     bool transmits = false;   // some material does
-    NumberRows albedos;  // kAlbedoNodes numbers for each material; a row for each kind of table
-    NumberRows classic;  // ClassicOf, of distributed ray tracing
+    /// Tables of kAlbedoNodes numbers, `slices` of a kind for each material (table_slices); a row
+    /// for each kind of table.
+    NumberRows albedos;
+    List<std::int32_t> first_albedo;
+    List<float> slices;
+    bool varies = false;  // some material's numbers do
+    NumberRows classic;   // ClassicOf, of distributed ray tracing
 };
 
 /// Objects of one kind of shape and one material, whose hits are completed together; of meshes
@@ -78,9 +83,7 @@ struct WaveGroup {
     std::uint32_t material = 0;
     bool absorbs = false;
     V3f absorption{0, 0, 0};  // of the glass inside, 1/m
-    float bump = 0;
-    bool has_texture = false;  // otherwise the colour is constant
-    bool needs_uv = false;
+    TextureNeeds needs;
     MeshArrays mesh;
     bool mesh_is_mapped = false;  // from axes of its own
     bool is_curved = false;       // rays start at the surface that the mesh's normals describe
@@ -137,9 +140,10 @@ struct WaveScene {
     List<std::int32_t> sphere_of_object;  // or -1
 
     WaveMaterials materials;
-    List<TextureData> textures;  // by material
-    bool absorbs = true;         // within glass
-    NumberRows shapes;           // by object
+    List<TextureData> textures;          // of all materials, one after the other
+    List<MaterialTextures> textures_of;  // by material
+    bool absorbs = true;                 // within glass
+    NumberRows shapes;                   // by object
     WaveMotions motions;
     List<WaveGroup> groups;
     List<std::uint16_t> group_of_object;

@@ -77,12 +77,15 @@ CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Vec3Of<L>& base, V
             // The energy that single scattering loses is restored, coloured (Turquin 2019,
             // "Practical multiple scattering compensation for microfacet models", eq. 16).
             const auto restores = L::both(has_metal, is_rough);
-            const auto kept =
-                L::select(restores, albedo_at<L>(layers.tables.mirror, layers.first, cosine), one);
+            const auto kept = L::select(restores,
+                                        albedo_at<L>(layers.tables.mirror, layers.first,
+                                                     layers.varies, layers.of_alpha, cosine),
+                                        one);
             lobes.metal_scale =
                 lobes.metal_scale * (all_of<L>(V3f(1, 1, 1)) + base * ((one - kept) / kept));
         }
-        const auto rough = albedo_at<L>(layers.tables.specular, layers.first, cosine);
+        const auto rough = albedo_at<L>(layers.tables.specular, layers.first, layers.varies,
+                                        layers.of_alpha, cosine);
         const auto smooth = fresnel_dielectric<L>(cosine, L::all(kSpecularIor));
         const auto highlight = L::select(is_rough, rough, smooth);
         below = L::select(has_specular, below * (one - layers.specular * highlight), below);
@@ -117,9 +120,10 @@ CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Vec3Of<L>& 
     if (!L::none(has_coat)) {
         auto reflected = fresnel_dielectric<L>(cosine, layers.coat_ior);
         if (lobes.any_rough_coat) {
-            reflected =
-                L::select(lobes.has_rough_coat,
-                          albedo_at<L>(layers.tables.coat, layers.first, cosine), reflected);
+            reflected = L::select(lobes.has_rough_coat,
+                                  albedo_at<L>(layers.tables.coat, layers.first, layers.varies,
+                                               layers.of_coat_alpha, cosine),
+                                  reflected);
         }
         lobes.coat = L::select(has_coat, layers.coat_weight * reflected, zero);
     }

@@ -36,10 +36,10 @@ struct PhongOf {
     }
 };
 
-/// The part of the material in each lane that does not vary over the surface. From the top down:
-/// coat, sheen, then metal or dielectric highlight over a diffuse base. Each layer takes from the
-/// layers below what it scatters itself towards the viewer, so that no layering creates energy. A
-/// lobe whose alpha is 0 is a smooth mirror.
+/// The layers of the surface in each lane, without its base. From the top down: coat, sheen, then
+/// metal or dielectric highlight over a diffuse base. Each layer takes from the layers below what
+/// it scatters itself towards the viewer, so that no layering creates energy. A lobe whose alpha is
+/// 0 is a smooth mirror.
 template <class L>
 struct LayersOf {
     ValueOf<L> coat_weight, coat_ior, coat_alpha;
@@ -53,6 +53,8 @@ struct LayersOf {
     MaskOf<L> is_phong;
     AlbedoNumbers tables;
     IntOf<L> first;  // of the material's numbers in each of the tables
+    bool varies;     // false: the roughness is the material's everywhere, and these are not set
+    TableSlicesOf<L> of_alpha, of_coat_alpha;  // tables for roughnesses around the surface's
 
     /// Calls `visit` with each number of the layers themselves, always in the same order.
     template <class Layers, class Visit>
@@ -66,5 +68,16 @@ struct LayersOf {
         visit(layers.specular);
         visit(layers.alpha);
         visit(layers.transmission);
+    }
+
+    /// Calls `visit` with each number that textures may give, in the order of TexturedNumber.
+    template <class Layers, class Visit>
+    CAROM_KERNEL static void each_textured(Layers& layers, const Visit& visit) {
+        visit(layers.coat_weight);
+        visit(layers.coat_alpha);
+        visit(layers.sheen);
+        visit(layers.metal);
+        visit(layers.specular);
+        visit(layers.alpha);
     }
 };

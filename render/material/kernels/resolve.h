@@ -1,4 +1,4 @@
-// The surface that a material gives at a point (Material::resolve), in lanes. Included as
+// The surface that a material gives at a point, in lanes. Included as
 // render/lanes/kernels/vectors.h is.
 
 template <class L>
@@ -7,6 +7,7 @@ struct ResolvedOf {
     Vec3Of<L> geometric_normal, normal;
     Vec3Of<L> base;
     MaskOf<L> from_behind;
+    ValueOf<L> numbers[kTexturedNumbers];  // set if they vary; of roughness GGX's alpha
 };
 
 template <class L>
@@ -16,28 +17,110 @@ CAROM_KERNEL Vec3Of<L> flipped(MaskOf<L> flips, const Vec3Of<L>& v) {
             L::select(flips, L::opposite_sign(v.z), v.z)};
 }
 
-/// All lanes have the same material. `wo`: towards the viewer.
+/// GGX's alpha of a roughness where `variance` of the normals is added to it: the slopes of
+/// Beckmann's facets, which GGX's resemble, have a variance of alpha^2 / 2 in each direction.
 template <class L>
-CAROM_KERNEL ResolvedOf<L> resolve_surface(const TextureData& texture, float bump,
-                                           const TexturePointOf<L>& point,
-                                           const Vec3Of<L>& shading_normal, const Vec3Of<L>& wo) {
-    ResolvedOf<L> surface;
-    surface.from_behind = L::is_less(dot(point.geometric_normal, wo), L::all(0));
-    surface.geometric_normal = flipped<L>(surface.from_behind, point.geometric_normal);
-    Vec3Of<L> normal = flipped<L>(surface.from_behind, shading_normal);
-    Vec3Of<L> colour;
-    if (bump > 0) {
-        const TextureReliefOf<L> relief = relief_of<L>(texture, point);
-        const Vec3Of<L> shift = relief.normal_shift * L::all(bump);
-        colour = relief.colour;
-        normal = unit<L>(normal + shift - normal * dot(normal, shift));
-    } else {
-        colour = colour_of<L>(texture, point);
+CAROM_KERNEL ValueOf<L> widened_alpha(ValueOf<L> roughness, ValueOf<L> variance) {
+    const auto square = roughness * roughness;
+    const auto alpha = L::smaller(L::root(square * square + variance), L::all(1));
+    return L::select(L::is_less(alpha, L::all(kSmoothAlpha)), L::all(0), alpha);
+}
+
+/// A number of a material, as layers have it, that does not vary.
+template <class L>
+CAROM_KERNEL ValueOf<L> constant_number(const MaterialTextures& textures, int number) {
+    const auto constant = L::all(textures.numbers[number].at_zero);
+    const bool is_roughness = number == kRoughness || number == kCoatRoughness;
+    return is_roughness ? widened_alpha<L>(constant, L::all(0)) : constant;
+}
+
+/// The relief of textures that are not pictures: from their heights half a pixel away.
+template <class L>
+CAROM_KERNEL Vec3Of<L> shift_by_differences(const List<TextureData>& list,
+                                            const MaterialTextures& textures,
+                                            const TexturePointOf<L>& point,
+                                            TextureValueOf<L>* values) {
+    const ReliefParameters& relief = textures.relief;
+    const auto height_at = [&](const TexturePointOf<L>& place) CAROM_KERNEL_ATTRIBUTE {
+        evaluate<L>(list, textures, relief.first, relief.last, place, values);
+        return number_of<L>(relief.height, values) * L::all(relief.strength);
+    };
+    const auto here = height_at(point);
+    const auto along_side = [&](const Vec2Of<L>& side,
+                                const Vec3Of<L>& way) CAROM_KERNEL_ATTRIBUTE {
+        const auto rise = height_at(point.moved(side, way)) - here;
+        // Over half of the way; its square is of the order of a pixel's.
+        return way * (L::all(-2) * rise / L::larger(dot(way, way), L::all(1e-20f)));
+    };
+    return along_side(point.along, point.way_along) + along_side(point.across, point.way_across);
+}
+
+/// What textures say about a surface besides its base.
+template <class L>
+CAROM_KERNEL_OUTLINED void resolve_textures(const List<TextureData>& list,
+                                            const MaterialTextures& textures,
+                                            const TexturePointOf<L>& point, ResolvedOf<L>& surface,
+                                            TextureReliefOf<L>& relief) {
+    TextureValueOf<L> values[MaterialTextures::kMost];
+    evaluate<L>(list, textures, 0, textures.of_surface, point, values);
+    surface.base = values[textures.base].colour;
+    const TextureData& base = list[textures.first + textures.base];
+    switch (textures.relief.kind) {
+        case ReliefParameters::Kind::own:
+            relief = relief_of_cloth<L>(base, point);
+            relief.normal_shift = relief.normal_shift * L::all(textures.relief.strength);
+            break;
+        case ReliefParameters::Kind::slopes:
+            relief = relief_of_slopes<L>(list[textures.first + textures.relief.texture], point,
+                                         values[textures.relief.texture].colour,
+                                         textures.relief.strength);
+            break;
+        case ReliefParameters::Kind::differences:
+            relief.normal_shift = shift_by_differences<L>(list, textures, point, values);
+            break;
+        case ReliefParameters::Kind::none:
+            break;
     }
-    surface.base = {limited<L>(colour.x, 0, 1), limited<L>(colour.y, 0, 1),
-                    limited<L>(colour.z, 0, 1)};
+    for (int k = 0; k < kTexturedNumbers; ++k) {
+        auto number = limited<L>(number_of<L>(textures.numbers[k], values), 0, 1);
+        if (k == kRoughness || k == kCoatRoughness) {
+            number = widened_alpha<L>(number, relief.variance);
+        }
+        surface.numbers[k] = number;
+    }
+}
+
+/// All lanes have the same material.
+template <class L>
+CAROM_KERNEL ResolvedOf<L> resolve_surface(const List<TextureData>& list,
+                                           const MaterialTextures& textures,
+                                           const TexturePointOf<L>& point,
+                                           const Vec3Of<L>& geometric_normal,
+                                           const Vec3Of<L>& shading_normal, const Vec3Of<L>& wo) {
+    const auto zero = L::all(0);
+    ResolvedOf<L> surface;
+    surface.from_behind = L::is_less(dot(geometric_normal, wo), zero);
+    surface.geometric_normal = flipped<L>(surface.from_behind, geometric_normal);
+    Vec3Of<L> normal = flipped<L>(surface.from_behind, shading_normal);
+    TextureReliefOf<L> relief{{zero, zero, zero}, {zero, zero, zero}, zero};
+    const TextureData& base = list[textures.first + textures.base];
+    if (!textures.only_base) {
+        resolve_textures<L>(list, textures, point, surface, relief);
+    } else if (textures.relief.kind == ReliefParameters::Kind::own) {
+        relief = relief_of_cloth<L>(base, point);
+        relief.normal_shift = relief.normal_shift * L::all(textures.relief.strength);
+        surface.base = relief.colour;
+    } else {
+        surface.base = value_of<L>(base, point, nullptr).colour;
+    }
+    if (textures.relief.kind != ReliefParameters::Kind::none) {
+        const Vec3Of<L> shift = flipped<L>(surface.from_behind, relief.normal_shift);
+        normal = unit<L>(normal + shift - normal * dot(normal, shift));
+    }
+    surface.base = {limited<L>(surface.base.x, 0, 1), limited<L>(surface.base.y, 0, 1),
+                    limited<L>(surface.base.z, 0, 1)};
     // The smooth or bumped normal may face away from the viewer.
-    const auto faces_away = L::is_at_most(dot(normal, wo), L::all(0));
+    const auto faces_away = L::is_at_most(dot(normal, wo), zero);
     surface.normal = select<L>(faces_away, surface.geometric_normal, normal);
     return surface;
 }

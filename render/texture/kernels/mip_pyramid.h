@@ -17,9 +17,13 @@ CAROM_KERNEL ValueOf<L> half_value(WordOf<L> bits) {
     return L::flip_sign(L::select(is_denormal, denormal, normal), sign);
 }
 
-/// HalfColourCodec's texel, two words long.
-template <class L>
+/// HalfColourCodec's texel, two words long: its colour, or its alpha in all channels.
+template <class L, bool kAlpha = false>
 CAROM_KERNEL Vec3Of<L> half_colour(WordOf<L> first, WordOf<L> second) {
+    if constexpr (kAlpha) {
+        const auto alpha = half_value<L>(L::template shifted_right<16>(second));
+        return {alpha, alpha, alpha};
+    }
     return {half_value<L>(first), half_value<L>(L::template shifted_right<16>(first)),
             half_value<L>(second)};
 }
@@ -103,14 +107,14 @@ CAROM_KERNEL T bilinear(const T& upper_left, const T& upper_right, const T& lowe
     return upper * (L::all(1) - place.fy) + lower * place.fy;
 }
 
-template <class L>
+template <class L, bool kAlpha = false>
 CAROM_KERNEL Vec3Of<L> look_up_half_colour(const PyramidTables& pyramid,
                                            const TexelPlaceOf<L>& place) {
     const auto texel = [&](IntOf<L> index) CAROM_KERNEL_ATTRIBUTE {
         const auto twofold = index + index;
         const auto fourfold = twofold + twofold;
         const auto words = L::gather_bytes_pair(pyramid.texels.data(), fourfold + fourfold);
-        return half_colour<L>(words.first, words.second);
+        return half_colour<L, kAlpha>(words.first, words.second);
     };
     const auto one = L::all_int(1);
     return bilinear<L, Vec3Of<L>>(texel(place.upper), texel(place.upper + one), texel(place.lower),
@@ -221,13 +225,13 @@ CAROM_KERNEL Vec3Of<L> look_up_coded(const ImageTables& picture, const Vec2Of<L>
 }
 
 /// The bilinear value at `uv` on a level; 0 is the finest one.
-template <class L>
+template <class L, bool kAlpha>
 CAROM_KERNEL Vec3Of<L> look_up_level(const ImageTables& picture, const Vec2Of<L>& uv,
                                      IntOf<L> level) {
     const auto from_levels = [&](IntOf<L> of_pyramid) CAROM_KERNEL_ATTRIBUTE {
         const TexelPlaceOf<L> place = texels_around<L>(picture.levels, uv, of_pyramid);
         if (!picture.is_grey) {
-            return look_up_half_colour<L>(picture.levels, place);
+            return look_up_half_colour<L, kAlpha>(picture.levels, place);
         }
         const auto grey = look_up_half<L>(picture.levels, place);
         return Vec3Of<L>{grey, grey, grey};
@@ -250,18 +254,18 @@ CAROM_KERNEL Vec3Of<L> look_up_level(const ImageTables& picture, const Vec2Of<L>
 
 /// Between the values of the two levels whose texels are about as large as `texels` (>= 1) of the
 /// finest one.
-template <class L>
+template <class L, bool kAlpha>
 CAROM_KERNEL Vec3Of<L> look_up_between(const ImageTables& picture, const Vec2Of<L>& uv,
                                        ValueOf<L> texels) {
     const int last = picture.levels.first.count() - (picture.codes.exists() ? 0 : 1);
     const LogarithmOf<L> level(limited<L>(texels, 1, 1e9f));
     const auto finer = L::smaller_int(level.whole, L::all_int(last));
-    const Vec3Of<L> fine = look_up_level<L>(picture, uv, finer);
+    const Vec3Of<L> fine = look_up_level<L, kAlpha>(picture, uv, finer);
     if (L::none(L::is_less(L::all(0), level.fraction))) {
         return fine;
     }
     const auto coarser = L::smaller_int(level.whole + L::all_int(1), L::all_int(last));
-    const Vec3Of<L> coarse = look_up_level<L>(picture, uv, coarser);
+    const Vec3Of<L> coarse = look_up_level<L, kAlpha>(picture, uv, coarser);
     return fine + (coarse - fine) * level.fraction;
 }
 
@@ -274,8 +278,9 @@ struct PixelOf {
 /// The mean of a picture over a pixel's parallelogram: trilinear values side by side along its
 /// longer side, as wide as the shorter one, or an eighth of the longer one (Heckbert 1989; hardware
 /// does likewise, EXT_texture_filter_anisotropic).
-template <class L>
-CAROM_KERNEL_OUTLINED Vec3Of<L> look_up_image(const ImageTables& picture, const PixelOf<L>& pixel) {
+template <class L, bool kAlpha>
+CAROM_KERNEL_OUTLINED Vec3Of<L> look_up_channels(const ImageTables& picture,
+                                                 const PixelOf<L>& pixel) {
     constexpr int kMostValues = 8;
     // Samples of a pixel lie side by side, so that each may see a little less than all of it.
     constexpr float kPartOfPixel = 0.7f;
@@ -303,10 +308,26 @@ CAROM_KERNEL_OUTLINED Vec3Of<L> look_up_image(const ImageTables& picture, const 
             break;
         }
         const auto from_middle = (L::all(static_cast<float>(i) + 0.5f) / count - L::all(0.5f));
-        const Vec3Of<L> value = look_up_between<L>(
+        const Vec3Of<L> value = look_up_between<L, kAlpha>(
             picture, {pixel.uv.x + side.x * from_middle, pixel.uv.y + side.y * from_middle},
             texels);
         sum = sum + select<L>(counts, value, {zero, zero, zero});
     }
     return sum * (L::all(1) / count);
+}
+
+/// What a texture gives at a point.
+template <class L>
+struct TextureValueOf {
+    Vec3Of<L> colour;  // of pictures with alpha, times that
+    ValueOf<L> alpha;
+};
+
+template <class L>
+CAROM_KERNEL TextureValueOf<L> look_up_image(const ImageTables& picture, const PixelOf<L>& pixel) {
+    TextureValueOf<L> value{look_up_channels<L, false>(picture, pixel), L::all(1)};
+    if (picture.has_alpha) {
+        value.alpha = look_up_channels<L, true>(picture, pixel).x;
+    }
+    return value;
 }

@@ -71,7 +71,8 @@ using triangle::Division;
 /// What a device reads of a scene.
 struct Scene {
     CameraConstants camera;
-    TextureData texture;
+    List<TextureData> textures;
+    MaterialTextures of_material;
     AreaLightConstants area;
     DeltaLightConstants delta;
     EmissiveShapeConstants shape;
@@ -211,8 +212,11 @@ CAROM_KERNEL void scatter(const Scene& scene, const Vec3<float>& normal, const V
     hit.geometric_normal = normal;
     hit.uv = hit.uv_metres = u;
     hit.u_gradient = hit.v_gradient = normal;
-    const TexturePointOf<L> point = texture_point<L>(hit, true, viewer, u.y, 0.1f);
-    const ResolvedOf<L> surface = resolve_surface<L>(scene.texture, u.x, point, normal, viewer);
+    hit.x_axis = hit.y_axis = hit.z_axis = viewer;
+    const TexturePointOf<L> point =
+        texture_point<L>(hit, scene.of_material.needs, viewer, u.y, 0.1f);
+    const ResolvedOf<L> surface =
+        resolve_surface<L>(scene.textures, scene.of_material, point, normal, normal, viewer);
     BsdfOf<L> bsdf;
     const float* number = scene.materials;
     const auto read = [&](float& x) { x = *number++; };

@@ -27,9 +27,9 @@ std::vector<Case> cases() {
         for (const float angle : kAngles) {
             list.push_back({material, Layers::all, angle});
         }
-        if (material.material.coat.weight > 0) {
+        if (material.material.coat.weight.most() > 0) {
             list.push_back({material, Layers::base, kAngles[1]});
-            if (material.material.coat.roughness > 0) {
+            if (material.material.coat.roughness.most() > 0) {
                 list.push_back({material, Layers::coat, kAngles[1]});
             }
         }

@@ -120,9 +120,10 @@ TEST(Resolve, ShadingNormalTurnedAwayFromTheViewer_FallsBackToTheGeometricOne) {
     const Material material = make(diffuse(0.5));
     scalar::TexturePointOf<scalar::One> point{};
     point.geometric_normal = kNormal;
-    const auto surface = scalar::resolve_surface<scalar::One>(material.texture().data(), 0, point,
-                                                              V3f(-1, 0, 0.1f).normalized(),
-                                                              V3f(0.9f, 0, 0.1f).normalized());
+    const TexturesOfMaterial& textures = material.textures();
+    const auto surface = scalar::resolve_surface<scalar::One>(
+        List<TextureData>(textures.list()), textures.numbers(), point, kNormal,
+        V3f(-1, 0, 0.1f).normalized(), V3f(0.9f, 0, 0.1f).normalized());
     EXPECT_EQ(surface.normal, kNormal);
 }
 

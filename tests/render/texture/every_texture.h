@@ -59,7 +59,7 @@ inline const std::vector<NamedTexture>& every_texture() {
         image.file = write_random_picture(37, 22);
         image.scale = Vec2(3, 0.7);
         image.offset = Vec2(0.2, -0.4);
-        image.rotation = 0.3;
+        image.placement.rotation = 0.3;
         add("image by uv", image);
         image.size = Vec2(0.4, 0.25);
         add("image by size", image);
@@ -76,6 +76,15 @@ inline const std::vector<NamedTexture>& every_texture() {
         add_integers("colours of 16 bits", 3, OIIO::TypeDesc::UINT16);
         add_integers("transparent grey", 2, OIIO::TypeDesc::UINT8);
         add_integers("transparent colours", 4, OIIO::TypeDesc::UINT16);
+        image.size.reset();
+        image.tint = Vec3(0.5, 0.7, 0.9);
+        for (const auto& [name, mapping] :
+             {std::pair("planar image", render::Mapping::planar),
+              std::pair("image around a box", render::Mapping::box),
+              std::pair("image around a sphere", render::Mapping::spherical)}) {
+            image.placement = {mapping, Vec3(0.2, -0.5, 0.8), 0.3};
+            add_integers(name, 3, OIIO::TypeDesc::UINT8);
+        }
 
         render::BallTexture ball;
         ball.colour = Vec3(0.8, 0.1, 0.05);
@@ -99,7 +108,14 @@ inline const std::vector<NamedTexture>& every_texture() {
         wood.ring = 0.004;
         add("oblique wood", wood);
 
-        add("checker", render::CheckerTexture{});
+        render::CheckerTexture checker;
+        add("checker", checker);
+        checker.placement = {render::Mapping::uv, Vec3(0, 0, 1), 0.4};
+        add("checker by uv", checker);
+        cloth.placement = {render::Mapping::box, Vec3(0, 0, 1), -0.7};
+        add("turned cloth around a box", cloth);
+        wood.placement = {render::Mapping::own, Vec3(0, 0, 1), 1.1};
+        add("turned wood", wood);
         return made;
     }();
     return all;
@@ -126,6 +142,8 @@ inline render::SurfacePoint random_texture_point(TestRandom& random) {
     point.u_gradient = render::V3f(per_metre, 0.1f, -0.3f * per_metre);
     point.v_gradient = render::V3f(-0.2f, 0.7f * per_metre, per_metre);
     point.uv_metres = {random.between(0.1f, 5.0f), random.between(0.1f, 5.0f)};
+    point.x_axis = {0.6f, 0.8f, 0};
+    point.y_axis = {-0.8f, 0.6f, 0};
     return point;
 }
 

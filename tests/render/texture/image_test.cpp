@@ -165,13 +165,13 @@ TEST(ImagePyramid, BeyondWhat31BitsReach_DoesNotFit) {
 TEST(ImagePyramid, IntegersOfAFile_TakeTheirOwnRoom) {
     RawPicture picture =
         empty_picture(3, 2, 1, std::vector<std::uint8_t>{0, 51, 102, 153, 204, 255});
-    const ImagePyramid grey(std::move(picture), true, V3f(0));
+    const ImagePyramid grey(std::move(picture), true);
     const ImageTables tables = grey.tables();
     EXPECT_TRUE(tables.is_grey);
     EXPECT_FALSE(tables.has_16_bits);
     EXPECT_EQ(tables.codes[5], 255);
     const auto at = [&](const V2f& uv, float width) {
-        return scalar::look_up_image<One>(tables, {uv, V2f(width, 0), V2f(0, width)});
+        return scalar::look_up_image<One>(tables, {uv, V2f(width, 0), V2f(0, width)}).colour;
     };
     // Texels' centres, around the edges too; the half float nearest to 0.2 is 0.19995.
     EXPECT_NEAR(at({0.5f, 0.25f}, 0).x, 0.2f, 1e-4f);
@@ -278,7 +278,7 @@ TEST_F(PlacedImage, Offset_MovesThePicture) {
 }
 
 TEST_F(PlacedImage, Rotation_TurnsItCounterClockwise) {
-    image_.rotation = std::acos(-1.0) / 2;
+    image_.placement.rotation = std::acos(-1.0) / 2;
     // What was to the right of the corner is now above it.
     const V3f above = at(-0.25f, 0.75f);
     EXPECT_NEAR((above - kWhite).length(), 0, 1e-5);

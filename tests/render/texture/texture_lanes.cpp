@@ -1,5 +1,8 @@
 #include "tests/render/texture/texture_lanes.h"
 
+#include <array>
+#include <cstring>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/render/texture/texture_lanes.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
@@ -16,15 +19,6 @@ namespace carom::render::HWY_NAMESPACE {
 using Numbers = hn::CappedTag<float, 16>;
 using Value = hn::Vec<Numbers>;
 
-HWY_INLINE Vec3<Value> load_three(const std::vector<float> (&from)[3], std::size_t first) {
-    const Numbers d;
-    return {hn::LoadU(d, &from[0][first]), hn::LoadU(d, &from[1][first]),
-            hn::LoadU(d, &from[2][first])};
-}
-HWY_INLINE Vec2<Value> load_two(const std::vector<float> (&from)[2], std::size_t first) {
-    const Numbers d;
-    return {hn::LoadU(d, &from[0][first]), hn::LoadU(d, &from[1][first])};
-}
 HWY_INLINE void store_three(const Vec3<Value>& v, float* const (&to)[3], std::size_t first) {
     const Numbers d;
     hn::StoreU(v.x, d, to[0] + first);
@@ -32,22 +26,22 @@ HWY_INLINE void store_three(const Vec3<Value>& v, float* const (&to)[3], std::si
     hn::StoreU(v.z, d, to[2] + first);
 }
 HWY_INLINE TexturePointOf<Lanes> load_point(const test::PointLists& points, std::size_t first) {
-    const Numbers d;
-    return {load_three(points.object_position, first),
-            load_three(points.geometric_normal, first),
-            load_two(points.uv, first),
-            load_two(points.uv_metres, first),
-            hn::LoadU(d, &points.footprint[first]),
-            load_two(points.along, first),
-            load_two(points.across, first)};
+    TexturePointOf<Lanes> point;
+    static_assert(sizeof(point) == test::PointLists::kNumbers * sizeof(Value));
+    std::array<Value, test::PointLists::kNumbers> numbers;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        numbers[k] = hn::LoadU(Numbers(), &points.numbers[k][first]);
+    }
+    std::memcpy(&point, &numbers, sizeof(point));
+    return point;
 }
 
 HWY_ATTR void all_colours(const TextureData& texture, const test::PointLists& points,
                           float* const colour[3]) {
     const Numbers d;
     float* const to[3] = {colour[0], colour[1], colour[2]};
-    for (std::size_t i = 0; i < points.footprint.size(); i += hn::Lanes(d)) {
-        store_three(colour_of<Lanes>(texture, load_point(points, i)), to, i);
+    for (std::size_t i = 0; i < points.size(); i += hn::Lanes(d)) {
+        store_three(value_of<Lanes>(texture, load_point(points, i), nullptr).colour, to, i);
     }
 }
 
@@ -56,8 +50,9 @@ HWY_ATTR void all_reliefs(const TextureData& texture, const test::PointLists& po
     const Numbers d;
     float* const colours[3] = {colour[0], colour[1], colour[2]};
     float* const shifts[3] = {shift[0], shift[1], shift[2]};
-    for (std::size_t i = 0; i < points.footprint.size(); i += hn::Lanes(d)) {
-        const TextureReliefOf<Lanes> relief = relief_of<Lanes>(texture, load_point(points, i));
+    for (std::size_t i = 0; i < points.size(); i += hn::Lanes(d)) {
+        const TextureReliefOf<Lanes> relief =
+            relief_of_cloth<Lanes>(texture, load_point(points, i));
         store_three(relief.colour, colours, i);
         store_three(relief.normal_shift, shifts, i);
     }
@@ -92,17 +87,12 @@ namespace carom::test {
 
 void PointLists::add(const render::SurfacePoint& point, float width) {
     const auto textured = texture_point(point, width);
-    for (int axis = 0; axis < 3; ++axis) {
-        object_position[axis].push_back(point.object_position[axis]);
-        geometric_normal[axis].push_back(point.geometric_normal[axis]);
+    std::array<float, kNumbers> of_point;
+    static_assert(sizeof(textured) == sizeof(of_point));
+    std::memcpy(&of_point, &textured, sizeof(textured));
+    for (std::size_t k = 0; k < kNumbers; ++k) {
+        numbers[k].push_back(of_point[k]);
     }
-    for (int axis = 0; axis < 2; ++axis) {
-        uv[axis].push_back(point.uv[axis]);
-        uv_metres[axis].push_back(point.uv_metres[axis]);
-        along[axis].push_back(textured.along[axis]);
-        across[axis].push_back(textured.across[axis]);
-    }
-    footprint.push_back(width);
 }
 
 const TextureLanes& best_texture_lanes() {

@@ -1,12 +1,14 @@
 // The kernels of textures in vector lanes, called for arrays: for tests and benchmarks.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string_view>
 #include <vector>
 
+#include "render/texture/scalar_kernels.h"
 #include "render/texture/texture_data.h"
 
 namespace carom::test {
@@ -14,12 +16,15 @@ namespace carom::test {
 /// As many numbers as the widest lanes have, or a multiple of it.
 constexpr std::size_t kLaneMultiple = 16;
 
-/// Coordinates by axis. All vectors have the same size, a multiple of kLaneMultiple.
+/// The numbers of TexturePointOf, a list for each. All lists have the same size, a multiple of
+/// kLaneMultiple.
 struct PointLists {
-    std::vector<float> object_position[3], geometric_normal[3], uv[2], uv_metres[2], along[2],
-        across[2];
-    std::vector<float> footprint;
+    static constexpr std::size_t kNumbers =
+        sizeof(render::scalar::TexturePointOf<render::scalar::One>) / sizeof(float);
 
+    std::array<std::vector<float>, kNumbers> numbers;
+
+    [[nodiscard]] std::size_t size() const { return numbers[0].size(); }
     void add(const render::SurfacePoint& point, float width);
 };
 

@@ -16,16 +16,20 @@ inline render::scalar::TexturePointOf<render::scalar::One> texture_point(
     of_kernels.uv_metres = point.uv_metres;
     of_kernels.u_gradient = point.u_gradient;
     of_kernels.v_gradient = point.v_gradient;
+    of_kernels.x_axis = point.x_axis;
+    of_kernels.y_axis = point.y_axis;
+    of_kernels.z_axis = point.z_axis;
     auto textured = render::scalar::texture_point<render::scalar::One>(
-        of_kernels, true, point.geometric_normal, footprint, 1);
+        of_kernels, {true, true, true}, point.geometric_normal, footprint, 1);
     textured.footprint = footprint;  // normals are not quite of length 1
     return textured;
 }
 
 inline render::V3f colour_of(const render::Texture& texture, const render::SurfacePoint& point,
                              float footprint) {
-    return render::scalar::colour_of<render::scalar::One>(texture.data(),
-                                                          texture_point(point, footprint));
+    return render::scalar::value_of<render::scalar::One>(texture.data(),
+                                                         texture_point(point, footprint), nullptr)
+        .colour;
 }
 
 struct Relief {
@@ -34,7 +38,7 @@ struct Relief {
 
 inline Relief relief_of(const render::Texture& texture, const render::SurfacePoint& point,
                         float footprint) {
-    const auto relief = render::scalar::relief_of<render::scalar::One>(
+    const auto relief = render::scalar::relief_of_cloth<render::scalar::One>(
         texture.data(), texture_point(point, footprint));
     return {relief.colour, relief.normal_shift};
 }

@@ -35,10 +35,6 @@ CAROM_KERNEL AffineOf<L> gather_map(const WaveHitOf<L>& hit, const SurfaceTask& 
         gather_vector<L>(shapes, row + 9, hit.object)};
 }
 
-CAROM_KERNEL TextureNeeds needs_of(const WaveGroup& group) {
-    return {group.has_texture, group.needs_uv};
-}
-
 /// The pieces of objects' motions at a time.
 template <class L, class Piece>
 CAROM_KERNEL PieceAt<L, Piece> piece_at(const PiecesOfObjects<Piece>& motions, IntOf<L> object,
@@ -66,16 +62,16 @@ CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const SurfaceTask& task, const Wa
                                  : gather_vector<L>(hit, task, kWorldFromUnitTranslation);
     const auto radius = gather<L>(task.scene.shapes, kHalfSize, hit.object);
     SurfacePointOf<L> point = point_on_sphere<L>(hit.ray, hit.distance, centre, radius);
-    if (task.group.has_texture) {
+    if (task.group.needs.position) {
         const AffineOf<L> metres_from_body = gather_map<L>(hit, task, kMetresFromWorld);
         const Vec3Of<L> arm = point.geometric_normal * radius;
         if (task.group.moves) {
             const RotationOf<L> turn = turn_of<L>(task, hit);
-            set_place_on_sphere<L>(metres_from_body, turn.undo(arm), radius, needs_of(task.group),
+            set_place_on_sphere<L>(metres_from_body, turn.undo(arm), radius, task.group.needs,
                                    point);
             turn_gradients<L>(turn, point);
         } else {
-            set_place_on_sphere<L>(metres_from_body, arm, radius, needs_of(task.group), point);
+            set_place_on_sphere<L>(metres_from_body, arm, radius, task.group.needs, point);
         }
     }
     return point;
@@ -93,14 +89,14 @@ CAROM_KERNEL_OUTLINED SurfacePointOf<L> point_on_shape(const SurfaceTask& task,
     shape.body_from_unit = gather_map<L>(hit, task, kWorldFromUnit);
     shape.metres_from_body = affine_of<L>(Affine());
     shape.half_size = {zero, zero, zero};
-    if (task.group.has_texture) {
+    if (task.group.needs.position) {
         shape.metres_from_body = gather_map<L>(hit, task, kMetresFromWorld);
     }
-    if (task.group.needs_uv) {
+    if (task.group.needs.uv) {
         shape.half_size = gather_vector<L>(hit, task, kHalfSize);
     }
     shape.parameters = gather_vector<L>(hit, task, kParameters);
-    return point_on_shape<L>(task.group.shape, shape, ray, hit.distance, needs_of(task.group));
+    return point_on_shape<L>(task.group.shape, shape, ray, hit.distance, task.group.needs);
 }
 
 template <class L>
@@ -118,12 +114,16 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const SurfaceTask& task, const Wave
     if (group.mesh_is_mapped) {
         const MeshPlaceOf<L> place{gather_map<L>(hit, task, kWorldFromUnit),
                                    gather_map<L>(hit, task, kUnitFromWorld)};
-        point = point_on_mesh<L>(group.mesh, on_mesh, &place, group.needs_uv);
+        point = point_on_mesh<L>(group.mesh, on_mesh, &place, group.needs.uv);
     } else {
-        point = point_on_mesh<L>(group.mesh, on_mesh, nullptr, group.needs_uv);
+        point = point_on_mesh<L>(group.mesh, on_mesh, nullptr, group.needs.uv);
     }
-    if (group.has_texture) {
-        point.object_position = gather_map<L>(hit, task, kMetresFromWorld).point(point.position);
+    if (group.needs.position) {
+        const AffineOf<L> metres_from_body = gather_map<L>(hit, task, kMetresFromWorld);
+        point.object_position = metres_from_body.point(point.position);
+        if (group.needs.axes) {
+            set_axes<L>(metres_from_body, point);
+        }
     }
     return point;
 }
@@ -141,9 +141,9 @@ CAROM_KERNEL SurfacePointOf<L> point_at(const SurfaceTask& task, const WaveHitOf
         return point_on_sphere<L>(task, hit);
     }
     if (task.group.kind == WaveGroup::Kind::box) {
-        return point_on_upright_box<L>(
-            hit.ray, hit.distance, gather_vector<L>(hit, task, kWorldFromUnitTranslation),
-            gather_vector<L>(hit, task, kHalfSize), needs_of(task.group));
+        return point_on_upright_box<L>(hit.ray, hit.distance,
+                                       gather_vector<L>(hit, task, kWorldFromUnitTranslation),
+                                       gather_vector<L>(hit, task, kHalfSize), task.group.needs);
     }
     if (!task.group.moves) {
         return point_in_body<L>(task, hit, hit.ray);
@@ -187,6 +187,16 @@ CAROM_KERNEL StartOf<L> start_on_curve(const SurfacePointOf<L>& point, MaskOf<L>
             L::select(faces, flat.offset / slope, flat.offset)};
 }
 
+/// Writes the numbers of surfaces that some material's textures give.
+template <class L>
+CAROM_KERNEL void store_numbers(const SurfaceTask& task, const ResolvedOf<L>& surface, int first) {
+    const MaterialTextures& textures = task.scene.textures_of[task.group.material];
+    for (int k = 0; k < kTexturedNumbers; ++k) {
+        const auto number = textures.varies ? surface.numbers[k] : constant_number<L>(textures, k);
+        store<L>(number, task.vertices.numbers[k], first);
+    }
+}
+
 /// Completes the vertices from `first` on.
 template <class L>
 CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
@@ -198,9 +208,10 @@ CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
     const auto width = gather<L>(task.paths.cone_width, hit.path) +
                        gather<L>(task.paths.cone_spread, hit.path) * hit.distance;
     const TexturePointOf<L> textured =
-        texture_point<L>(point, group.needs_uv, wo, width, L::all(kLeastConeCosine));
-    const ResolvedOf<L> surface = resolve_surface<L>(
-        task.scene.textures[group.material], group.bump, textured, point.shading_normal, wo);
+        texture_point<L>(point, group.needs, wo, width, L::all(kLeastConeCosine));
+    const ResolvedOf<L> surface =
+        resolve_surface<L>(task.scene.textures, task.scene.textures_of[group.material], textured,
+                           point.geometric_normal, point.shading_normal, wo);
     const auto radius = gather<L>(task.scene.shapes, kBoundingRadius, hit.object);
     StartOf<L> start{point.position, surface.geometric_normal,
                      offset_at<L>(point.position, radius)};
@@ -212,6 +223,9 @@ CAROM_KERNEL void resolve_surfaces(const SurfaceTask& task, int first) {
     store<L>(surface.normal, vertices.normal, first);
     store<L>(start.offset, vertices.offset, first);
     store<L>(surface.base, vertices.base, first);
+    if (task.vertices.numbers != nullptr) {
+        store_numbers<L>(task, surface, first);
+    }
     if (task.scene.materials.transmits) {
         store<L>(L::select_int(surface.from_behind, L::all_int(1), L::all_int(0)),
                  vertices.from_behind, first);

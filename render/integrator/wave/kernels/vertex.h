@@ -31,8 +31,8 @@ CAROM_KERNEL void set_numbers(const NumberRows& rows, const NumberIn& number_in,
 }
 
 template <class L, class NumberIn>
-CAROM_KERNEL void set_layers(const WaveMaterials& materials, IntOf<L> material,
-                             const NumberIn& number_in, LayersOf<L>& layers) {
+CAROM_KERNEL void set_constants(const WaveMaterials& materials, const NumberIn& number_in,
+                                LayersOf<L>& layers) {
     set_numbers<L>(materials.layers, number_in, layers);
     const auto is_glass = L::is_less(L::all(0), layers.transmission);
     layers.any_glass = materials.glass.numbers.exists() && !L::none(is_glass);
@@ -48,7 +48,7 @@ CAROM_KERNEL void set_layers(const WaveMaterials& materials, IntOf<L> material,
         set_numbers<L>(materials.phong, number_in, layers.phong);
     }
     layers.tables = AlbedoNumbers::in_rows(materials.albedos.row(0), materials.albedos.count);
-    layers.first = L::product(material, kAlbedoNodes);
+    layers.varies = false;
 }
 
 /// Vertices are sorted, so that mostly all lanes have the same material.
@@ -59,12 +59,31 @@ CAROM_KERNEL void set_layers(const WaveMaterials& materials, IntOf<L> material,
     if (L::none(L::opposite(L::is_equal_int(material, L::all_int(first))))) {
         const auto of_all = [&](const float* row)
                                 CAROM_KERNEL_ATTRIBUTE { return L::all(row[first]); };
-        set_layers<L>(materials, material, of_all, layers);
+        set_constants<L>(materials, of_all, layers);
     } else {
         const auto of_each = [&](const float* row)
                                  CAROM_KERNEL_ATTRIBUTE { return L::gather(row, material); };
-        set_layers<L>(materials, material, of_each, layers);
+        set_constants<L>(materials, of_each, layers);
     }
+    layers.first = L::gather_int(materials.first_albedo.data(), material);
+}
+
+/// The layers of the surfaces at vertices from `first` on.
+template <class L>
+CAROM_KERNEL void set_layers(const WaveMaterials& materials, const SurfaceQueue& vertices,
+                             int first, IntOf<L> material, LayersOf<L>& layers) {
+    set_layers<L>(materials, material, layers);
+    if (!materials.varies) {
+        return;
+    }
+    const Floats* numbers = vertices.numbers;
+    LayersOf<L>::each_textured(layers, [&](ValueOf<L>& number) CAROM_KERNEL_ATTRIBUTE {
+        number = load<L>(*numbers++, first);
+    });
+    const auto slices = L::gather(materials.slices.data(), material);
+    layers.varies = true;
+    layers.of_alpha = table_slices<L>(layers.first, slices, layers.alpha);
+    layers.of_coat_alpha = table_slices<L>(layers.first, slices, layers.coat_alpha);
 }
 
 /// Sets which lobes there are, and how they are followed.
@@ -113,7 +132,8 @@ CAROM_KERNEL VertexOf<L> vertex_at(const WaveStep& step, int first) {
     if (step.scene.materials.transmits) {
         from_behind = L::both(is_set<L>(load<L>(in.from_behind, first)), v.valid);
     }
-    set_layers<L>(step.scene.materials, materials_of<L>(in, first, v.valid), v.bsdf.layers);
+    set_layers<L>(step.scene.materials, in, first, materials_of<L>(in, first, v.valid),
+                  v.bsdf.layers);
     const Vec3Of<L> direction = gather<L>(step.paths.direction, v.path);
     complete<L>(v.bsdf, load<L>(in.base, first), geometric_normal, load<L>(in.normal, first),
                 opposite<L>(direction), from_behind);

@@ -1,0 +1,22 @@
+// What textures are told by one word. Plain, for kernels.
+#pragma once
+
+#include <cstdint>
+
+namespace carom::render {
+
+/// How pictures and flat patterns are laid on a surface. All but `uv` and `own` project the place
+/// in the object's axes, in metres, scaled like the object.
+enum class Mapping : std::uint8_t {
+    own,        // pictures: uv; patterns: the object's own axes
+    uv,         // SurfacePoint::uv; patterns: times its lengths, m
+    planar,     // along `facing`
+    box,        // along the axis that the surface faces most
+    spherical,  // longitude and latitude around the object's origin; patterns: times lengths, m
+};
+
+/// What of a picture counts where a number is wanted. `automatic`: alpha for opacities and the
+/// masks of mixes, if the picture has it; otherwise luminance.
+enum class PictureChannel : std::uint8_t { automatic, red, green, blue, alpha, luminance };
+
+}  // namespace carom::render
