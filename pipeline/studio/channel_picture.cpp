@@ -131,7 +131,7 @@ ViewChannel view_channel(const std::string& name) {
     if (name == "depth" || name == "object_id" || name == "material_id") {
         return {name, 1};
     }
-    if (name == "normal" || name == "albedo") {
+    if (name == "normal" || name == "albedo" || name == "roughness") {
         return {name, kSamplesOfMeans};
     }
     if (name == "noise") {
@@ -171,6 +171,13 @@ ChannelPicture channel_picture(const std::string& name, const std::vector<render
                                         pipeline::srgb_encode(at(2, i))};
                       }),
                 "Base colours without light."};
+    }
+    if (name == "roughness") {
+        return {paint(pixels,
+                      [&](std::size_t i) {
+                          return Colour{at(0, i), at(0, i), at(0, i)};
+                      }),
+                "Roughness of what is below the coat: black is a mirror."};
     }
     return {paint(pixels, [&](std::size_t i) { return colour_of_index(planes[0].values[i]); }),
             name == "object_id" ? "Each object has a colour of its own."

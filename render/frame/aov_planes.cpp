@@ -21,9 +21,10 @@ constexpr std::string_view kVarianceChannel = "variance.X";
 
 // A name of more than one letter ends in ".X" or similar: compositors take the part before the last
 // dot as the layer and drop channels without one.
-constexpr std::array<Aov, 7> kAovs{{{"depth", {"Z"}, true},
+constexpr std::array<Aov, 8> kAovs{{{"depth", {"Z"}, true},
                                     {"normal", {"N.X", "N.Y", "N.Z"}, false},
                                     {"albedo", {"albedo.R", "albedo.G", "albedo.B"}, false},
+                                    {"roughness", {"roughness.X"}, false},
                                     {"motion", {"motion.X", "motion.Y"}, true},
                                     {"object_id", {"object_id.X"}, true},
                                     {"material_id", {"material_id.X"}, true},
@@ -234,6 +235,8 @@ void AovPlanes::write(int x, int y, const PixelMeans& means) {
             put(std::array{means.normal.x, means.normal.y, means.normal.z});
         } else if (name == "albedo") {
             put(std::array{means.albedo.x, means.albedo.y, means.albedo.z});
+        } else if (name == "roughness") {
+            put(std::array{means.roughness});
         } else if (name == "motion") {
             put(std::array{centre.motion.x, centre.motion.y});
         } else if (name == "object_id") {

@@ -40,6 +40,7 @@ struct PixelMeans {
     int samples = 1;
     V3f normal{0, 0, 0};
     V3f albedo{0, 0, 0};
+    float roughness = 0;
     float variance = 0;  // of the mean luminance, if samples were independent
     /// ((A - B) / 2)^2, where A and B are the mean luminances of the halves of the samples: the
     /// variance of the mean, if the halves are independent.
@@ -50,6 +51,7 @@ struct PixelMeans {
 ///   depth      Z                 m along the optical axis; kFarDepth for the background
 ///   normal     N.X N.Y N.Z       world axes, towards the camera; mean over the samples
 ///   albedo     albedo.R .G .B    base colour; mean over the samples
+///   roughness  roughness.X       of what is below the coat, [0, 1]; mean over the samples
 ///   motion     motion.X .Y       pixels (right, down) that the point moves from open to close
 ///   object_id  object_id.X       1 + index in the scene's objects, then its lights; 0: background
 ///   material_id material_id.X    1 + index in the scene's materials; 0: background, or a light

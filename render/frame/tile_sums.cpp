@@ -24,7 +24,8 @@ SumsKind SumsKind::needed_by(const RenderSettings& settings) {
     SumsKind kind;
     kind.halves = has_halves(settings);
     kind.variance = settings.for_denoiser || asks_for(settings, "variance");
-    kind.surfaces = asks_for(settings, "normal") || asks_for(settings, "albedo");
+    kind.surfaces = asks_for(settings, "normal") || asks_for(settings, "albedo") ||
+                    asks_for(settings, "roughness");
     kind.features = settings.for_denoiser;
     kind.objects = std::ranges::any_of(settings.aovs, is_matte);
     return kind;
@@ -74,7 +75,7 @@ TileSums::TileSums(std::size_t pixels, const SumsKind& kind)
       coverage_(pixels),
       squares_(kind.variance ? pixels : 0),
       differences_(kind.halves ? 3 * pixels : 0),
-      surfaces_(kind.surfaces ? 6 * pixels : 0),
+      surfaces_(kind.surfaces ? 7 * pixels : 0),
       objects_(kind.objects ? pixels : 0) {}
 
 std::size_t TileSums::bytes() const {
@@ -90,7 +91,7 @@ bool TileSums::is_valid(bool has_plan) const {
     };
     return fits(radiance_, 3, true) && fits(coverage_, 1, true) &&
            fits(squares_, 1, kind_.variance) && fits(differences_, 3, kind_.halves) &&
-           fits(surfaces_, 6, kind_.surfaces) && fits(objects_, 1, kind_.objects) &&
+           fits(surfaces_, 7, kind_.surfaces) && fits(objects_, 1, kind_.objects) &&
            std::ranges::all_of(features_,
                                [&](const auto& plane) {
                                    return plane.empty() || fits(plane, 3, kind_.features);
@@ -137,6 +138,9 @@ void TileSums::add_details(std::size_t pixel, const RadianceSample& sample) {
             surfaces_[c * pixels + pixel] += static_cast<double>(sample.normal[axis]);
             surfaces_[(3 + c) * pixels + pixel] += static_cast<double>(sample.albedo[axis]);
         }
+    }
+    if (kind_.surfaces) {
+        surfaces_[6 * pixels + pixel] += static_cast<double>(sample.roughness);
     }
     if (kind_.variance) {
         const Vec3 light(sample.radiance);
@@ -242,12 +246,13 @@ PixelMeans TileSums::means(std::size_t pixel) const {
     if (kind_.objects) {
         result.objects = objects_[pixel];
     }
-    for (std::size_t c = 0; c < 3 && kind_.surfaces; ++c) {
+    if (kind_.surfaces) {
         const auto mean = [&](std::size_t plane) {
             return static_cast<float>(surfaces_[plane * size() + pixel] / result.samples);
         };
-        result.normal[static_cast<int>(c)] = mean(c);
-        result.albedo[static_cast<int>(c)] = mean(3 + c);
+        result.normal = {mean(0), mean(1), mean(2)};
+        result.albedo = {mean(3), mean(4), mean(5)};
+        result.roughness = mean(6);
     }
     if (result.samples > 1) {
         const float difference = 0.5F * (carom::luminance(mean_of_half(pixel, 0)) -

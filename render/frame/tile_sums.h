@@ -18,7 +18,7 @@ namespace carom::render {
 struct SumsKind {
     bool halves = false;    // the light of the two halves of the samples, with even and odd indices
     bool variance = false;  // of the luminance
-    bool surfaces = false;  // normals and albedos
+    bool surfaces = false;  // normals, albedos and roughnesses
     bool features = false;  // what the two halves saw, for the denoiser
     bool objects = false;   // which ones were hit
 
@@ -121,7 +121,7 @@ class TileSums {
     std::vector<float> coverage_;     // of which each sample has 0 or 1
     std::vector<double> squares_;     // of the luminance
     std::vector<float> differences_;  // of the colours' sums: first half - second half
-    std::vector<double> surfaces_;    // the axes of normals, then the colours of albedos
+    std::vector<double> surfaces_;    // the axes of normals, the colours of albedos, the roughness
     /// Albedo, normal and light of the first half, then of the second; each of three planes.
     std::array<std::vector<float>, 2 * kGroups> features_;
     std::vector<std::vector<ObjectCount>> objects_;  // by pixel

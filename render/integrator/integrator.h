@@ -17,6 +17,7 @@ struct RadianceSample {
     float coverage = 0;   // 1 if the camera ray hit something
     V3f normal{0, 0, 0};  // at the hit, world axes, towards the camera
     V3f albedo{0, 0, 0};
+    float roughness = 0;  // of the surface below its coat: the root of GGX's alpha
     /// Albedo of what the first surface's coat shows, times what the coat reflects of it.
     V3f mirrored{0, 0, 0};
     /// Of the radiance: what the camera sees of lights and room, directly or in a smooth coat.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -85,6 +86,14 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
                                scene.materials.transmits, shadows);
     }
 
+    /// GGX's alpha of the surface at a vertex.
+    [[nodiscard]] float alpha_of(int vertex, const std::vector<Material>& materials) const {
+        return vertices.numbers != nullptr
+                   ? numbers[kRoughness].at[vertex]
+                   : materials[static_cast<std::size_t>(vertices.material.at[vertex])]
+                         .numbers()
+                         .alpha;
+    }
     [[nodiscard]] Sample& sample_of(int path) {
         return from_camera[static_cast<std::size_t>(paths().slot.at[path])];
     }
@@ -274,13 +283,14 @@ void PathIntegrator::process_hits(Wave& wave) const {
     }
 }
 
-void PathIntegrator::note_first_surfaces(Wave& wave) {
+void PathIntegrator::note_first_surfaces(Wave& wave) const {
     for (int i = 0; i < wave.vertices.count; ++i) {
         RadianceSample& result = wave.sample_of(wave.vertices.path.at[i]).result;
         result.coverage = 1;
         result.object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
         result.normal = wave.vertices.normal.get(i);
         result.albedo = wave.vertices.base.get(i);
+        result.roughness = std::sqrt(wave.alpha_of(i, scene_.materials));
     }
 }
 

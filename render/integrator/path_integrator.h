@@ -49,7 +49,7 @@ class PathIntegrator final : public Integrator {
     [[nodiscard]] WaveStep step_of(Wave& wave) const;
     void shade_surfaces(Wave& wave, RenderStatistics& count) const;
     void process_hits(Wave& wave) const;
-    static void note_first_surfaces(Wave& wave);
+    void note_first_surfaces(Wave& wave) const;
     static void note_mirrored_surfaces(Wave& wave);
     void add_misses(Wave& wave) const;
     [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, std::uint8_t traits,

@@ -1,5 +1,5 @@
 # blender -b --python channels_in_blender.py -- F.exr: checks that Blender's compositor has an output for every layer of the
-# frame, with the values of the file. F.exr must have depth, normal, albedo, motion, object_id, material_id, variance and
+# frame, with the values of the file. F.exr must have depth, normal, albedo, roughness, motion, object_id, material_id, variance and
 # cryptomatte_object.
 import os
 import sys
@@ -21,7 +21,7 @@ source = nodes.new("CompositorNodeImage")
 source.image = bpy.data.images.load(path)
 assert source.image.type == "MULTILAYER", source.image.type
 outputs = [socket.name for socket in source.outputs if socket.enabled]
-expected = ["Combined", "Depth", "N", "albedo", "motion", "object_id", "material_id", "variance"]
+expected = ["Combined", "Depth", "N", "albedo", "roughness", "motion", "object_id", "material_id", "variance"]
 expected += [f"CryptoObject0{rank}" for rank in range(3)]
 missing = [name for name in expected if name not in outputs]
 assert not missing, f"no {', '.join(missing)} among {', '.join(outputs)}"

@@ -323,7 +323,7 @@ class FilmWriter {
 
     void render() {
         std::vector<std::string> aovs;
-        for (const char* name : {"depth", "normal", "albedo", "motion", "object_id",
+        for (const char* name : {"depth", "normal", "albedo", "roughness", "motion", "object_id",
                                  "cryptomatte_object", "variance"}) {
             if (dice_.chance(0.15))
                 aovs.emplace_back(name);

@@ -200,8 +200,9 @@ void add_sampling(MapSpec<RenderSection>& s) {
 
 std::vector<std::pair<std::string, std::string>> aov_names() {
     std::vector<std::pair<std::string, std::string>> names;
-    for (const char* name : {"depth", "normal", "albedo", "motion", "object_id", "material_id",
-                             "cryptomatte_object", "cryptomatte_material", "variance"}) {
+    for (const char* name :
+         {"depth", "normal", "albedo", "roughness", "motion", "object_id", "material_id",
+          "cryptomatte_object", "cryptomatte_material", "variance"}) {
         names.emplace_back(name, name);
     }
     return names;
@@ -238,7 +239,7 @@ const MapSpec<RenderSection>& render_spec() {
             distributed_spec(), "numbers of rays of the distributed integrator");
         s.key(
             "aovs", [](RenderSection& r) -> std::vector<std::string>& { return r.settings.aovs; },
-            list_of(choice<std::string>(aov_names()), 0, 9), "further channels of each frame");
+            list_of(choice<std::string>(aov_names()), 0, 10), "further channels of each frame");
         s.check([](Reader& reader, const Node& node, RenderSection& r) {
             const Entry* noise = node.find("noise");
             if (noise != nullptr && r.settings.noise > 0 && r.settings.samples % 2 != 0) {

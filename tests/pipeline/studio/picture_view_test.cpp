@@ -321,7 +321,7 @@ TEST_F(View, Channels_HaveLegendsAndAreNotStored) {
     show(make_shot(), 1);
     std::int64_t q = 0;
     for (const std::string name :
-         {"depth", "normal", "albedo", "object_id", "material_id", "noise"}) {
+         {"depth", "normal", "albedo", "roughness", "object_id", "material_id", "noise"}) {
         See see = frame(++q, 4);
         see.channel = name;
         view_.ask(kPage, see);

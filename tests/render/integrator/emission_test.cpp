@@ -71,6 +71,41 @@ TEST(Emission, EveryStrategy_HasTheSameMean) {
     }
 }
 
+/// A surface whose emission and opacity vary is sampled as a light of one radiance; what arrives is
+/// what it emits there.
+TEST(Emission, OfPicturesAndPatterns_HasTheSameMeanByEveryStrategy) {
+    CheckerTexture checker;
+    checker.even = Vec3(6, 1, 1);
+    checker.odd = Vec3(0, 1, 0);
+    checker.size = 0.15;
+    for (const bool is_cut_out : {false, true}) {
+        StandardMaterial screen;
+        screen.base = Vec3(0, 0, 0);
+        screen.emission = checker;
+        screen.emission_strength = 1.5;
+        CheckerTexture holes = checker;
+        holes.even = Vec3(0, 0, 0);
+        holes.odd = Vec3(1, 1, 1);
+        holes.size = 0.22;
+        if (is_cut_out) {
+            screen.opacity = NumberTexture{holes, {0.2, 0.9}};
+        }
+        SceneBuilder builder = unlit().material("screen", screen);
+        builder.object("screen", kPanel, Vec3(0, 0, 1.3), "screen");
+        builder.sphere("bulb", 0.1, Vec3(-0.6, 0, 0.15), "screen");
+        for (const int bounces : {0, 2}) {
+            const Estimate both = seen(builder, DirectStrategy::both, bounces);
+            const Estimate lights = seen(builder, DirectStrategy::lights_only, bounces);
+            const Estimate scattering = seen(builder, DirectStrategy::scattering_only, bounces);
+            EXPECT_NEAR(lights.mean, both.mean, 4 * std::hypot(lights.error, both.error))
+                << bounces << is_cut_out;
+            EXPECT_NEAR(scattering.mean, both.mean, 4 * std::hypot(scattering.error, both.error))
+                << bounces << is_cut_out;
+            EXPECT_LT(both.error, scattering.error);
+        }
+    }
+}
+
 /// 200 squares of 400 triangles in a row of rows, facing down.
 MeshShape board() {
     MeshShape made;

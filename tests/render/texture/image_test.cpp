@@ -10,43 +10,17 @@
 #include "core/error.h"
 #include "render/texture/number_mask.h"
 #include "render/texture/texture.h"
+#include "tests/render/texture/temporary_picture.h"
 #include "tests/render/texture/texture_values.h"
 
 namespace carom::render {
 namespace {
 
 using scalar::One;
-
-/// A temporary file that is removed with the object.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const std::string& ending)
-        : path_((std::filesystem::temp_directory_path() /
-                 ("carom_image_test_" +
-                  std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
-                  ending))
-                    .string()) {}
-    ~TemporaryFile() { std::filesystem::remove(path_); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    template <class Value>
-    void write(int width, int height, int channels, OIIO::TypeDesc type,
-               const std::vector<Value>& values) const {
-        const auto file = OIIO::ImageOutput::create(path_);
-        ASSERT_TRUE(file && file->open(path_, OIIO::ImageSpec(width, height, channels, type)));
-        ASSERT_TRUE(file->write_image(OIIO::BaseTypeFromC<Value>::value, values.data()));
-        ASSERT_TRUE(file->close());
-    }
-
-    [[nodiscard]] const std::string& path() const { return path_; }
-
-  private:
-    std::string path_;
-};
+using test::TemporaryPicture;
 
 TEST(ReadLinearImage, EightBitColours_AreDecodedFromSrgbUnlessLinear) {
-    const TemporaryFile file(".png");
+    const TemporaryPicture file(".png");
     file.write<std::uint8_t>(2, 1, 3, OIIO::TypeDesc::UINT8, {0, 128, 255, 10, 20, 30});
     const LinearImage decoded = read_linear_image(file.path(), false);
     ASSERT_EQ(decoded.width, 2);
@@ -59,13 +33,13 @@ TEST(ReadLinearImage, EightBitColours_AreDecodedFromSrgbUnlessLinear) {
 }
 
 TEST(ReadLinearImage, FloatFile_IsTakenAsLinear) {
-    const TemporaryFile file(".exr");
+    const TemporaryPicture file(".exr");
     file.write<float>(1, 1, 3, OIIO::TypeDesc::FLOAT, {0.5f, 2.0f, 100.0f});
     EXPECT_EQ(read_linear_image(file.path(), false).pixels[0], V3f(0.5f, 2.0f, 100.0f));
 }
 
 TEST(ReadLinearImage, GreyWithAlpha_BecomesGrey) {
-    const TemporaryFile file(".png");
+    const TemporaryPicture file(".png");
     file.write<std::uint8_t>(1, 1, 2, OIIO::TypeDesc::UINT8, {255, 255});
     EXPECT_EQ(read_linear_image(file.path(), false).pixels[0], V3f(1, 1, 1));
 }
@@ -80,7 +54,7 @@ TEST(ReadLinearImage, MissingFile_IsNamed) {
 }
 
 TEST(ReadLinearImage, ValuesThatLightCannotHave_AreClampedAndCounted) {
-    const TemporaryFile file(".exr");
+    const TemporaryPicture file(".exr");
     file.write<float>(3, 1, 3, OIIO::TypeDesc::FLOAT, {0, 0, 1, 2, -1, 0, INFINITY, 0, 0});
     const LinearImage image = read_linear_image(file.path(), false);
     EXPECT_EQ(image.pixels[1], V3f(2, 0, 0));
@@ -90,7 +64,7 @@ TEST(ReadLinearImage, ValuesThatLightCannotHave_AreClampedAndCounted) {
 }
 
 TEST(ReadLinearImage, TransparentPixels_ShowTheBackground) {
-    const TemporaryFile file(".png");
+    const TemporaryPicture file(".png");
     file.write<std::uint8_t>(3, 1, 4, OIIO::TypeDesc::UINT8,
                              {255, 0, 0, 255, 255, 0, 0, 51, 9, 9, 9, 0});
     const LinearImage image = read_linear_image(file.path(), false, V3f(0, 0.5f, 1));
@@ -245,7 +219,7 @@ class PlacedImage : public ::testing::Test {
     }
 
     const V3f kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kWhite{1, 1, 1};
-    TemporaryFile file_{".exr"};
+    TemporaryPicture file_{".exr"};
     ImageTexture image_;
     ImageCache images_;
 };

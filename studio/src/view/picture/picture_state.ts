@@ -14,6 +14,7 @@ export const kChannels: readonly ChannelChoice[] = [
     { channel: 'depth', label: 'Depth' },
     { channel: 'normal', label: 'Normals' },
     { channel: 'albedo', label: 'Albedo' },
+    { channel: 'roughness', label: 'Roughness' },
     { channel: 'object_id', label: 'Objects' },
     { channel: 'material_id', label: 'Materials' },
 ];
