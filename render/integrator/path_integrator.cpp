@@ -86,13 +86,11 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
                                scene.materials.transmits, shadows);
     }
 
-    /// GGX's alpha of the surface at a vertex.
-    [[nodiscard]] float alpha_of(int vertex, const std::vector<Material>& materials) const {
+    /// GGX's alpha of the surface at the i-th vertex.
+    [[nodiscard]] float alpha_of(int i, const std::vector<Material>& materials) const {
         return vertices.numbers != nullptr
-                   ? numbers[kRoughness].at[vertex]
-                   : materials[static_cast<std::size_t>(vertices.material.at[vertex])]
-                         .numbers()
-                         .alpha;
+                   ? numbers[kRoughness].at[i]
+                   : materials[static_cast<std::size_t>(vertices.material.at[i])].numbers().alpha;
     }
     [[nodiscard]] Sample& sample_of(int path) {
         return from_camera[static_cast<std::size_t>(paths().slot.at[path])];

@@ -163,7 +163,7 @@ ImagePyramid stripes() {
     for (int i = 0; i < 64 * 64; ++i) {
         codes.push_back(i % 64 / 4 % 2 == 0 ? 0 : 255);
     }
-    return ImagePyramid(empty_picture(64, 64, 1, codes), true, V3f(0));
+    return ImagePyramid(empty_picture(64, 64, 1, codes), true);
 }
 
 // A pixel that is long along the stripes and narrow across them sees their colours; one that is
@@ -172,7 +172,8 @@ TEST(ImagePyramid, LongPixels_AreFilteredAlongTheirLength) {
     const ImagePyramid picture = stripes();
     const ImageTables tables = picture.tables();
     const auto at = [&](float x, const V2f& along, const V2f& across) {
-        return scalar::look_up_image<One>(tables, {V2f(x / 64, 0.5f), along / 64, across / 64}).x;
+        return scalar::look_up_image<One>(tables, {V2f(x / 64, 0.5f), along / 64, across / 64})
+            .colour.x;
     };
     for (const float length : {1.0f, 3.0f, 7.0f, 10.0f}) {
         EXPECT_NEAR(at(2, V2f(0, length), V2f(1, 0)), 0, 0.01) << length;
@@ -194,7 +195,7 @@ TEST(ImagePyramid, GrowingPixels_ChangeGradually) {
         const float value =
             scalar::look_up_image<One>(
                 tables, {V2f(6.0f / 64, 0.5f), V2f(width / 64, 0), V2f(0, width / 64)})
-                .x;
+                .colour.x;
         EXPECT_NEAR(value, last, 0.02) << width;
         last = value;
     }
