@@ -111,7 +111,7 @@ TEST(FrameCost, Sums_TakeNoMoreMemoryThanTheFrameNeeds) {
     EXPECT_LE(bytes_of_sums(cost_settings(true, 0.01)), 123);
     RenderSettings channels = cost_settings(false, 0);
     channels.aovs = {"normal", "variance", "depth"};
-    EXPECT_EQ(bytes_of_sums(channels), 32 + 48 + 8);
+    EXPECT_EQ(bytes_of_sums(channels), 32 + 56 + 8);
     // In a finished frame each of the denoiser's channels takes a half float.
     std::size_t bytes = 0;
     for (const HalfChannel& channel : rendered(cost_settings(true, 0)).half_aovs) {

@@ -118,8 +118,11 @@ TEST(AlbedoTable, BetweenNodes_IsCloseToTheIntegral) {
 
 TEST(Resolve, ShadingNormalTurnedAwayFromTheViewer_FallsBackToTheGeometricOne) {
     const Material material = make(diffuse(0.5));
-    scalar::TexturePointOf<scalar::One> point{};
-    point.geometric_normal = kNormal;
+    scalar::SurfacePointOf<scalar::One> hit{};
+    hit.geometric_normal = kNormal;
+    scalar::clear_texture_place<scalar::One>(hit);
+    const auto point =
+        scalar::texture_point<scalar::One>(hit, {true, true, true}, kNormal, 1e-3F, 1);
     const TexturesOfMaterial& textures = material.textures();
     const auto surface = scalar::resolve_surface<scalar::One>(
         List<TextureData>(textures.list()), textures.numbers(), point, kNormal,

@@ -102,8 +102,8 @@ TEST(MaterialTextures, PatternsGiveNumbers) {
     checker.odd = Vec3(0.75, 0.75, 0.75);
     StandardMaterial material;
     material.sheen = NumberTexture{checker, {0, 1}};
-    EXPECT_NEAR(resolve(material, {{0.05F, 0.05F}}).numbers[kSheen], 0.25F, 1e-5F);
-    EXPECT_NEAR(resolve(material, {{0.15F, 0.05F}}).numbers[kSheen], 0.75F, 1e-5F);
+    EXPECT_NEAR(resolve(material, {{0.05F, 0.05F}}).numbers[kSheen], 0.25F, 1e-4F);
+    EXPECT_NEAR(resolve(material, {{0.15F, 0.05F}}).numbers[kSheen], 0.75F, 1e-4F);
     EXPECT_NEAR(resolve(material, {{0.15F, 0.05F}, 1.0F}).numbers[kSheen], 0.5F, 0.02F);
 }
 
@@ -225,9 +225,9 @@ TEST(Placement, PatternByUv_LiesAlongTheSurfaceInMetres) {
     material.base = checker;
     // Whatever the place in the object.
     EXPECT_NEAR(resolve(material, {{0.05F, 0.05F}, 1e-6F, {0, 0, 1}, {0.1F, 0, 0.1F}}).base.x, 0.8F,
-                1e-5F);
+                1e-4F);
     EXPECT_NEAR(resolve(material, {{0.15F, 0.05F}, 1e-6F, {0, 0, 1}, {0.1F, 0, 0.1F}}).base.x, 0.2F,
-                1e-5F);
+                1e-4F);
 }
 
 /// A ramp that rises by `depth` over a picture of 64 texels, 1 m wide.

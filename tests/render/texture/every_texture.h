@@ -142,8 +142,6 @@ inline render::SurfacePoint random_texture_point(TestRandom& random) {
     point.u_gradient = render::V3f(per_metre, 0.1f, -0.3f * per_metre);
     point.v_gradient = render::V3f(-0.2f, 0.7f * per_metre, per_metre);
     point.uv_metres = {random.between(0.1f, 5.0f), random.between(0.1f, 5.0f)};
-    point.x_axis = {0.6f, 0.8f, 0};
-    point.y_axis = {-0.8f, 0.6f, 0};
     return point;
 }
 

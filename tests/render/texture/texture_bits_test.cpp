@@ -38,8 +38,11 @@ TEST(Texture, EveryKind_HasThePinnedBits) {
         {"grey of 16 bits", 0x134862d06bd061dfu},
         {"colours of 8 bits", 0xd9f29b8939fd1042u},
         {"colours of 16 bits", 0x84a2bddbbc63ffa1u},
-        {"transparent grey", 0x39ae0bf6ca3c1490u},
-        {"transparent colours", 0xe0df7c525fe545b2u},
+        {"transparent grey", 0x98e2531c4c205318u},
+        {"transparent colours", 0x5148bb641ce65d3eu},
+        {"planar image", 0x73150bb2e66076ebu},
+        {"image around a box", 0x23f52657d33c8fceu},
+        {"image around a sphere", 0xdee677b6c5fe3519u},
         {"plain ball", 0xea5ea71cc1401405u},
         {"ball with a number", 0x4bc29cd609cb155u},
         {"striped ball with spots", 0x5b9dfbbd8d7e120eu},
@@ -48,6 +51,9 @@ TEST(Texture, EveryKind_HasThePinnedBits) {
         {"wood", 0x6fb0afd6d487372bu},
         {"oblique wood", 0x1575c949bc772adeu},
         {"checker", 0xc5a2623f5e0bd29cu},
+        {"checker by uv", 0xd2f1812402ad1e5bu},
+        {"turned cloth around a box", 0xf0802b6f77f43b0du},
+        {"turned wood", 0x65b129b5b0fa6b5du},
     };
     for (const test::NamedTexture& one : test::every_texture()) {
         test::TestRandom random(11);
@@ -64,8 +70,9 @@ TEST(Texture, EveryKind_HasThePinnedBits) {
                 sum.add(test::colour_of(one.texture, point, footprint));
             }
         }
-        ASSERT_TRUE(pinned.contains(one.name)) << one.name;
-        EXPECT_EQ(sum.value(), pinned.at(one.name)) << one.name << " " << std::hex << sum.value();
+        EXPECT_TRUE(pinned.contains(one.name)) << one.name;
+        EXPECT_EQ(sum.value(), pinned.contains(one.name) ? pinned.at(one.name) : 0)
+            << one.name << " " << std::hex << sum.value();
     }
 }
 

@@ -26,7 +26,7 @@ HWY_INLINE void store_three(const Vec3<Value>& v, float* const (&to)[3], std::si
     hn::StoreU(v.z, d, to[2] + first);
 }
 HWY_INLINE TexturePointOf<Lanes> load_point(const test::PointLists& points, std::size_t first) {
-    TexturePointOf<Lanes> point;
+    TexturePointOf<Lanes> point{};
     static_assert(sizeof(point) == test::PointLists::kNumbers * sizeof(Value));
     std::array<Value, test::PointLists::kNumbers> numbers;
     for (std::size_t k = 0; k < numbers.size(); ++k) {

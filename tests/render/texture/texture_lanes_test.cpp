@@ -58,7 +58,9 @@ Points mixed_points() {
     TestRandom random(23);
     Points made;
     while (made.points.size() < kPoints) {
-        const SurfacePoint point = random_texture_point(random);
+        SurfacePoint point = random_texture_point(random);
+        point.x_axis = {0.6f, 0.8f, 0};
+        point.y_axis = {-0.8f, 0.6f, 0};
         made.add(point, random_footprint(random));
     }
     return made;
@@ -259,7 +261,7 @@ TEST(HalfValue, EveryHalfFloat_IsThatOfImathInEveryLaneAndMode) {
         const FlushMode mode(flushes);
         for (std::size_t half = 0; half < words.size(); ++half) {
             const auto texel = static_cast<std::uint16_t>(half);
-            const V3f colour = render::HalfColourCodec::decode({0, texel, texel, 0});
+            const auto colour = render::HalfColourCodec::decode({0, texel, texel, 0});
             check(colour.y, half, "scalar code");
             check(colour.z, half, "scalar code");
         }
