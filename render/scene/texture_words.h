@@ -16,7 +16,7 @@ enum class Mapping : std::uint8_t {
 };
 
 /// What of a picture counts where a number is wanted. `automatic`: alpha for opacities and the
-/// masks of mixes, if the picture has it; otherwise luminance.
+/// masks of mixes, if the picture is transparent somewhere; otherwise luminance.
 enum class PictureChannel : std::uint8_t { automatic, red, green, blue, alpha, luminance };
 
 }  // namespace carom::render

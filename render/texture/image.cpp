@@ -201,8 +201,39 @@ void check_fits(const std::string& path, const RawPicture& picture, bool fits) {
     }
 }
 
+namespace {
+
+/// Without an alpha that is 1 all over, as many programs write it.
+RawPicture without_opaque_alpha(RawPicture picture) {
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const auto strip = [&](auto& values) {
+        using Value = typename std::remove_reference_t<decltype(values)>::value_type;
+        const auto one =
+            std::is_floating_point_v<Value> ? Value{1} : std::numeric_limits<Value>::max();
+        for (std::size_t i = channels - 1; i < values.size(); i += channels) {
+            if (values[i] < one) {
+                return;
+            }
+        }
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < picture.value_count(); ++i) {
+            if (i % channels != channels - 1) {
+                values[kept++] = values[i];
+            }
+        }
+        values.resize(kept);
+        picture.channels -= 1;
+    };
+    if (picture.has_alpha()) {
+        std::visit(strip, picture.values);
+    }
+    return picture;
+}
+
+}  // namespace
+
 std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path, bool is_linear) {
-    RawPicture picture = read_picture(path);
+    RawPicture picture = without_opaque_alpha(read_picture(path));
     check_fits(path, picture, ImagePyramid::fits(picture));
     return std::make_shared<const ImagePyramid>(std::move(picture), is_linear);
 }

@@ -84,7 +84,8 @@ class ImagePyramid {
 /// Throws Error, with the path, if kernels do not reach all of the picture.
 void check_fits(const std::string& path, const RawPicture& picture, bool fits);
 
-/// Throws Error if the file cannot be read or does not fit.
+/// An alpha that is 1 all over does not count. Throws Error if the file cannot be read or does not
+/// fit.
 [[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path,
                                                                      bool is_linear);
 

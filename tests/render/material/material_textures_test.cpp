@@ -134,6 +134,19 @@ TEST(MaterialTextures, MixByThePicturesOwnAlpha_LaysItOnTheOtherTexture) {
     EXPECT_NEAR((edge - V3f(0.5F, 0, 0.5F)).length(), 0, 1e-3F);
 }
 
+/// Many programs write an alpha of 1.
+TEST(MaterialTextures, OpaqueAlphaOfAMask_DoesNotCount) {
+    const TemporaryPicture file(".png");
+    file.write<std::uint8_t>(2, 1, 4, kBytes, {0, 0, 0, 255, 255, 255, 255, 255});
+    StandardMaterial material;
+    material.opacity = number_of(picture_of(file));
+    ImageCache images;
+    const TexturesOfMaterial textures(material, images);
+    EXPECT_EQ(textures.numbers().opacity.channel, PictureChannel::luminance);
+    EXPECT_FALSE(textures.list().back().image.picture.has_alpha);
+    EXPECT_TRUE(textures.list().back().image.picture.codes.exists());
+}
+
 TEST(MaterialTextures, TransparentPicture_ShowsItsBackgroundOrWhatIsOpaque) {
     const TemporaryPicture file(".png");
     file.write<std::uint8_t>(2, 1, 4, kBytes, {255, 0, 0, 255, 0, 0, 0, 0});
