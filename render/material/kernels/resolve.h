@@ -29,9 +29,9 @@ CAROM_KERNEL ValueOf<L> widened_alpha(ValueOf<L> roughness, ValueOf<L> variance)
 /// A number of a material, as layers have it, that does not vary.
 template <class L>
 CAROM_KERNEL ValueOf<L> constant_number(const MaterialTextures& textures, int number) {
-    const auto constant = L::all(textures.numbers[number].at_zero);
+    const auto value = L::all(textures.numbers[number].at_zero);
     const bool is_roughness = number == kRoughness || number == kCoatRoughness;
-    return is_roughness ? widened_alpha<L>(constant, L::all(0)) : constant;
+    return is_roughness ? widened_alpha<L>(value, L::all(0)) : value;
 }
 
 /// The relief of textures that are not pictures: from their heights half a pixel away.

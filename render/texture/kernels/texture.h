@@ -201,8 +201,12 @@ CAROM_KERNEL PictureViewOf<L> view_of_picture(const TextureData& texture,
     view.pixel = {{place.x - L::all(image.offset.x), L::all(1) + place.y + L::all(image.offset.y)},
                   in_picture(plane.along),
                   in_picture(plane.across)};
-    const Vec3Of<L> x = image.by_size ? plane.x_gradient * plane.metres.x : plane.x_gradient;
-    const Vec3Of<L> y = image.by_size ? plane.y_gradient * plane.metres.y : plane.y_gradient;
+    Vec3Of<L> x = plane.x_gradient;
+    Vec3Of<L> y = plane.y_gradient;
+    if (image.by_size) {
+        x = x * plane.metres.x;
+        y = y * plane.metres.y;
+    }
     const auto cosine = L::all(placement.turn.x);
     const auto sine = L::all(placement.turn.y);
     view.x_gradient = (x * cosine + y * sine) * L::all(image.repeats.x);
