@@ -32,11 +32,9 @@ bool has_texture(const MaterialDescription& material) {
         return varies(material.phong->diffuse);
     }
     const StandardMaterial& m = material.surface;
-    const NumberSource* const numbers[] = {&m.metal,       &m.roughness,      &m.specular, &m.sheen,
-                                           &m.coat.weight, &m.coat.roughness, &m.opacity};
-    return varies(m.base) || varies(m.emission) ||
+    return varies(m.base) || varies(m.emission) || m.opacity.texture() != nullptr ||
            !std::holds_alternative<std::monostate>(m.relief) ||
-           std::ranges::any_of(numbers,
+           std::ranges::any_of(textured_numbers(m),
                                [](const NumberSource* number) { return number->texture(); });
 }
 

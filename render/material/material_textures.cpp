@@ -39,11 +39,6 @@ TextureNeeds operator+(const TextureNeeds& a, const TextureNeeds& b) {
     return {a.position || b.position, a.uv || b.uv, a.axes || b.axes};
 }
 
-/// In the order of TexturedNumber.
-std::array<const NumberSource*, kTexturedNumbers> numbers_of(const StandardMaterial& m) {
-    return {&m.coat.weight, &m.coat.roughness, &m.sheen, &m.metal, &m.specular, &m.roughness};
-}
-
 using scalar::One;
 using Values = std::array<scalar::TextureValueOf<One>, MaterialTextures::kMost>;
 
@@ -206,7 +201,7 @@ void TexturesOfMaterial::add_differences(const NumberTexture& number, ImageCache
 
 TexturesOfMaterial::TexturesOfMaterial(const StandardMaterial& material, ImageCache& images) {
     numbers_.base = add(material.base, images, material.opacity.texture() != nullptr);
-    const auto of_material = numbers_of(material);
+    const auto of_material = textured_numbers(material);
     for (std::size_t k = 0; k < kTexturedNumbers; ++k) {
         numbers_.numbers[k] = add(*of_material[k], images, false);
         numbers_.varies = numbers_.varies || numbers_.numbers[k].texture >= 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -236,6 +237,12 @@ constexpr auto fields_of(Describes<StandardMaterial>) {
         field("sheen_colour", &T::sheen_colour), field("bump", &T::bump),
         field("relief", &T::relief), field("coat", &T::coat), field("emission", &T::emission),
         field("emission_strength", &T::emission_strength), field("opacity", &T::opacity));
+}
+
+/// The numbers that textures may give, in the order of TexturedNumber.
+[[nodiscard]] inline std::array<const NumberSource*, kTexturedNumbers> textured_numbers(
+    const StandardMaterial& m) {
+    return {&m.coat.weight, &m.coat.roughness, &m.sheen, &m.metal, &m.specular, &m.roughness};
 }
 
 /// The classic model: the terms of Phong 1975, "Illumination for computer generated pictures", and

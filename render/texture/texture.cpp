@@ -1,20 +1,15 @@
 #include "render/texture/texture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/assert.h"
 #include "core/elementary.h"
-#include "render/texture/patterns.h"
 
 namespace carom::render {
 namespace {
 
-template <class... Visitors>
-struct Overloaded : Visitors... {
-    using Visitors::operator()...;
-};
-template <class... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;
+constexpr float kSmallest = 1e-5F;  // thread, ring or cube, m
 
 PlacementParameters placement_parameters(const Placement& placement) {
     PlacementParameters parameters;
@@ -61,42 +56,70 @@ void Texture::set_picture(const ImageTexture& image, const ImageTables& picture)
 }
 
 Texture::Texture(const ColourSource& source, ImageCache& images, bool is_bare) {
-    const auto set_cloth = [&](const ClothTexture& cloth) {
-        const auto tiles = images.cloth_tiles();
-        data_.kind = TextureKind::cloth;
-        data_.placement = placement_parameters(cloth.placement);
-        data_.cloth = cloth_parameters(cloth, *tiles);
-        pictures_ = tiles;
-    };
-    const auto set_ball = [&](const BallTexture& ball) {
-        const auto number = ball.number > 0 ? images.number(ball.number) : nullptr;
-        data_.kind = TextureKind::ball;
-        data_.ball = ball_parameters(ball, number.get());
-        pictures_ = number;
-    };
-    const auto set_image = [&](const ImageTexture& image) {
-        const auto picture = images.file(image.file, image.is_linear);
-        data_.kind = TextureKind::image;
-        set_picture(image, picture->tables());
-        data_.image.tint = V3f(image.tint);
-        data_.image.background = V3f(image.background.value_or(kTransparentColour));
-        data_.image.is_bare = is_bare && !image.background;
-        pictures_ = picture;
-    };
-    const auto set_wood = [&](const WoodTexture& wood) {
-        data_.kind = TextureKind::wood;
-        data_.placement = placement_parameters(wood.placement);
-        data_.wood = wood_parameters(wood);
-    };
-    const auto set_checker = [&](const CheckerTexture& checker) {
-        data_.kind = TextureKind::checker;
-        data_.placement = placement_parameters(checker.placement);
-        data_.checker = checker_parameters(checker);
-    };
-    std::visit(Overloaded{[&](const Vec3& colour) { data_.plain = V3f(colour); }, set_image,
-                          set_ball, set_cloth, set_wood, set_checker,
-                          [](const std::shared_ptr<const MixTexture>&) { CAROM_ASSERT(false); }},
-               source);
+    std::visit([&](const auto& one) { set(one, images); }, source);
+    const auto* image = std::get_if<ImageTexture>(&source);
+    data_.image.is_bare = is_bare && image != nullptr && !image->background;
+}
+
+void Texture::set(const Vec3& colour, ImageCache& /*images*/) {
+    data_.plain = V3f(colour);
+}
+
+void Texture::set(const std::shared_ptr<const MixTexture>& /*mix*/, ImageCache& /*images*/) {
+    CAROM_ASSERT(false);
+}
+
+void Texture::set(const ImageTexture& image, ImageCache& images) {
+    const auto picture = images.file(image.file, image.is_linear);
+    data_.kind = TextureKind::image;
+    set_picture(image, picture->tables());
+    data_.image.tint = V3f(image.tint);
+    data_.image.background = V3f(image.background.value_or(kTransparentColour));
+    pictures_ = picture;
+}
+
+void Texture::set(const BallTexture& ball, ImageCache& images) {
+    const auto number = ball.number > 0 ? images.number(ball.number) : nullptr;
+    data_.kind = TextureKind::ball;
+    data_.ball = {V3f(ball.colour),
+                  V3f(ball.white),
+                  ball.striped,
+                  ball.spots > 0,
+                  std::clamp(static_cast<float>(ball.disc_radius), 0.01F, 0.95F),
+                  number != nullptr ? number->tables() : PyramidTables{}};
+    pictures_ = number;
+}
+
+void Texture::set(const ClothTexture& cloth, ImageCache& images) {
+    const auto tiles = images.cloth_tiles();
+    data_.kind = TextureKind::cloth;
+    data_.placement = placement_parameters(cloth.placement);
+    data_.cloth = {V3f(cloth.colour),
+                   std::max(static_cast<float>(cloth.thread), kSmallest),
+                   static_cast<float>(cloth.variation),
+                   tiles->weave.tables(),
+                   tiles->nap.tables(),
+                   tiles->wear.tables()};
+    pictures_ = tiles;
+}
+
+void Texture::set(const WoodTexture& wood, ImageCache& /*images*/) {
+    const V3f grain(wood.grain);
+    const V3f along = grain.length2() > 0 ? grain.normalized() : V3f(1, 0, 0);
+    const V3f least = std::abs(along.z) < 0.9F ? V3f(0, 0, 1) : V3f(1, 0, 0);
+    const V3f across = least.cross(along).normalized();
+    data_.kind = TextureKind::wood;
+    data_.placement = placement_parameters(wood.placement);
+    data_.wood = {
+        V3f(wood.light), V3f(wood.dark), std::max(static_cast<float>(wood.ring), kSmallest),
+        along,           across,         along.cross(across)};
+}
+
+void Texture::set(const CheckerTexture& checker, ImageCache& /*images*/) {
+    data_.kind = TextureKind::checker;
+    data_.placement = placement_parameters(checker.placement);
+    data_.checker = {V3f(checker.even), V3f(checker.odd),
+                     std::max(static_cast<float>(checker.size), kSmallest)};
 }
 
 Texture::Texture(const NormalPicture& normals, ImageCache& images) {

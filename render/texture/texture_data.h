@@ -152,17 +152,6 @@ struct TextureData {
     }
 };
 
-/// Numbers of a material that textures may give, in the order of kernels/material_numbers.h.
-enum TexturedNumber : std::uint8_t {
-    kCoatWeight,
-    kCoatRoughness,
-    kSheen,
-    kMetal,
-    kSpecular,
-    kRoughness,
-    kTexturedNumbers
-};
-
 /// The relief of a surface.
 struct ReliefParameters {
     /// `own`: of the cloth that is the base; `slopes`: of a picture, kind `normals` or `heights`;

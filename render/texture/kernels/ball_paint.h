@@ -1,4 +1,4 @@
-// The paint of ball_paint.h in lanes. Included as render/lanes/kernels/vectors.h is.
+// The paint of texture_data.h in lanes. Included as render/lanes/kernels/vectors.h is.
 
 /// Lengths in ball radii.
 struct BallLook {

@@ -1,4 +1,4 @@
-// The checker of patterns.h in lanes. Included as render/lanes/kernels/vectors.h is.
+// The checker of texture_data.h in lanes. Included as render/lanes/kernels/vectors.h is.
 
 struct CheckerLook {
     /// Shifts the planes between cubes away from round coordinates, at which surfaces often lie.

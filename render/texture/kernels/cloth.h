@@ -1,4 +1,4 @@
-// The cloth of patterns.h in lanes. Included as render/lanes/kernels/vectors.h is.
+// The cloth of texture_data.h in lanes. Included as render/lanes/kernels/vectors.h is.
 
 /// Lengths and strengths of the nap and of wear, chosen by eye against photographs of worsted
 /// cloth.

@@ -1,6 +1,11 @@
 // Colours and reliefs of textures of every kind in lanes. Included as
 // render/lanes/kernels/vectors.h is.
 
+#include "render/texture/kernels/ball_paint.h"
+#include "render/texture/kernels/checker.h"
+#include "render/texture/kernels/cloth.h"
+#include "render/texture/kernels/wood.h"
+
 /// What textures read of a SurfacePoint. The last ones are set as far as they are needed.
 template <class L>
 struct TexturePointOf {

@@ -1,4 +1,4 @@
-// The wood of patterns.h in lanes. Included as render/lanes/kernels/vectors.h is.
+// The wood of texture_data.h in lanes. Included as render/lanes/kernels/vectors.h is.
 
 /// Lengths chosen by eye against photographs of mahogany rails, m, and the seeds of noises.
 struct WoodLook {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/texture/patterns.h"
+#include "render/texture/texture.h"
 #include "render/texture/scalar_kernels.h"
 
 namespace carom::render {

@@ -1,4 +1,4 @@
-#include "render/texture/patterns.h"
+#include "render/texture/texture.h"
 
 #include <cmath>
 
