@@ -21,17 +21,15 @@ BallTexture painted(int number, bool striped = false) {
 
 class BallPaint {
   public:
-    explicit BallPaint(const BallTexture& texture)
-        : number_(texture.number > 0 ? draw_number(texture.number) : nullptr),
-          parameters_(ball_parameters(texture, number_.get())) {}
+    explicit BallPaint(const BallTexture& texture) : texture_(texture, images_) {}
 
     [[nodiscard]] V3f colour(const V3f& position, float footprint) const {
-        return scalar::ball_colour<scalar::One>(parameters_, position, footprint);
+        return scalar::ball_colour<scalar::One>(texture_.data().ball, position, footprint);
     }
 
   private:
-    std::shared_ptr<const CoverageMask> number_;
-    BallParameters parameters_;
+    ImageCache images_;
+    Texture texture_;
 };
 
 /// Colour seen from `side` (+1: from +x, -1: from -x), `right` and `up` in ball radii.

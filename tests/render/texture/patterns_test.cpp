@@ -18,6 +18,12 @@ const std::shared_ptr<const ClothTiles>& cloth_tiles() {
     return tiles;
 }
 
+/// Its pictures are kept.
+TextureData data_of(const ColourSource& source) {
+    static ImageCache images;
+    return Texture(source, images).data();
+}
+
 struct Moments {
     double mean = 0;
     double deviation = 0;
@@ -38,7 +44,7 @@ Moments moments(int samples, const Value& value) {
 }
 
 Moments cloth_green(const ClothTexture& texture, float footprint) {
-    const ClothParameters cloth = cloth_parameters(texture, *cloth_tiles());
+    const ClothParameters cloth = data_of(texture).cloth;
     return moments(40'000, [&](test::TestRandom& random) {
         const float x = random.between(-2, 2);
         const float y = random.between(-2, 2);
@@ -82,7 +88,7 @@ TEST(ClothTiles, EveryLevel_AveragesToNothing) {
 TEST(ClothPattern, NoVariation_IsOneColourWithRelief) {
     ClothTexture texture;
     texture.variation = 0;
-    const ClothParameters cloth = cloth_parameters(texture, *cloth_tiles());
+    const ClothParameters cloth = data_of(texture).cloth;
     EXPECT_EQ(scalar::cloth_value<One>(cloth, V2f(0.123f, 0.456f), 0).colour, V3f(texture.colour));
     EXPECT_GT(scalar::cloth_value<One>(cloth, V2f(0.1231f, 0.4563f), 0).slope.length(), 0.01f);
     EXPECT_EQ(scalar::cloth_value<One>(cloth, V2f(0.1231f, 0.4563f), 0.01f).slope, V2f(0, 0));
@@ -90,7 +96,7 @@ TEST(ClothPattern, NoVariation_IsOneColourWithRelief) {
 
 TEST(WoodPattern, EveryColour_LiesBetweenDarkAndLight) {
     const WoodTexture texture;
-    const WoodParameters wood = wood_parameters(texture);
+    const WoodParameters wood = data_of(texture).wood;
     const auto red = [&](float footprint) {
         return moments(20'000, [&](test::TestRandom& random) {
             const float x = random.between(-1, 1);
@@ -112,7 +118,7 @@ TEST(WoodPattern, EveryColour_LiesBetweenDarkAndLight) {
 TEST(WoodPattern, AlongTheGrain_ChangesSlowerThanAcross) {
     WoodTexture texture;
     texture.grain = Vec3(0, 1, 0);
-    const WoodParameters wood = wood_parameters(texture);
+    const WoodParameters wood = data_of(texture).wood;
     const auto change = [&](const V3f& step) {
         return moments(5'000,
                        [&](test::TestRandom& random) {
