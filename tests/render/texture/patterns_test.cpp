@@ -135,7 +135,7 @@ TEST(WoodPattern, AlongTheGrain_ChangesSlowerThanAcross) {
 }
 
 TEST(CheckerPattern, Squares_AlternateInAllDirections) {
-    const CheckerParameters checker = checker_parameters(CheckerTexture{});
+    const CheckerParameters checker = data_of(CheckerTexture{}).checker;
     const V3f up(0, 0, 1);
     const V3f even(0.8f, 0.8f, 0.8f);
     const V3f odd(0.2f, 0.2f, 0.2f);
@@ -150,7 +150,7 @@ TEST(CheckerPattern, Squares_AlternateInAllDirections) {
 }
 
 TEST(CheckerPattern, WidePixel_GivesTheMeanAndOnlyAlongTheSurface) {
-    const CheckerParameters checker = checker_parameters(CheckerTexture{});
+    const CheckerParameters checker = data_of(CheckerTexture{}).checker;
     const V3f up(0, 0, 1);
     EXPECT_NEAR(scalar::checker_colour<One>(checker, V3f(0.05f, 0.05f, 0), up, 0.2f).x, 0.5f,
                 1e-3f);
