@@ -297,8 +297,9 @@ std::vector<std::string> seen_transparent(const std::string& keys) {
     std::vector<std::string> found;
     for (const NamedFile& file : loaded.named_files) {
         if (!file.is_transparency_meant && file.kind == FileKind::texture) {
-            found.push_back(
-                file.where.key_path.substr(std::string("materials.m.standard.").size()));
+            const std::string start = "materials.m.standard.";
+            const std::string& path = file.where.key_path;
+            found.push_back(path.starts_with(start) ? path.substr(start.size()) : path);
         }
     }
     return found;
@@ -323,6 +324,12 @@ TEST(Transparency, IsMeantWithABackgroundOrAnOpacity) {
     EXPECT_THAT(seen_transparent("roughness: " + kPicture + ", metal: " + kAlpha),
                 ElementsAre("roughness.image"));
     EXPECT_THAT(seen_transparent("normal: files/picture.png"), ElementsAre());
+    // Another file, and another material.
+    EXPECT_THAT(seen_transparent("base: {image: files/triangle.obj}, opacity: " + kPicture),
+                ElementsAre("base.image"));
+    const std::string two =
+        "base: " + kPicture + ", opacity: " + kPicture + "}}, m2: {standard: {base: " + kPicture;
+    EXPECT_THAT(seen_transparent(two), ElementsAre("materials.m2.standard.base.image"));
 }
 
 TEST(Transparency, OfAMixByAlpha_IsMeantOnTheOpaqueSide) {
