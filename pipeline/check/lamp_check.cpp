@@ -10,6 +10,7 @@
 #include "pipeline/camera/view_axes.h"
 #include "pipeline/check/shape_box.h"
 #include "pipeline/check/whole_mesh.h"
+#include "pipeline/shot/material_textures.h"
 
 namespace carom::pipeline {
 
@@ -114,8 +115,12 @@ void LampCheck::find_fixtures() {
     }
     WholeMeshes meshes(kLargestMesh);
     for (const render::ObjectDescription& object : shot_.scene.objects) {
+        const auto has_holes = [&](const render::MaterialDescription& material) {
+            return material.name == object.material && is_cut_out(material);
+        };
         const bool is_fixture = object.track.empty() && !object.name.starts_with("table/") &&
-                                bodies.count(object.name) == 0;
+                                bodies.count(object.name) == 0 &&
+                                std::ranges::none_of(shot_.scene.materials, has_holes);
         if (!is_fixture) {
             continue;
         }

@@ -17,8 +17,8 @@ class LampCheck {
   public:
     /// Considers lights with a surface that the camera sees, and objects that are only visible and
     /// do not move. A mesh is read from its file when the first camera above it is checked; one
-    /// that cannot be read or that has more than 4 MiB hides nothing. `shot` must outlive the
-    /// object.
+    /// that cannot be read or that has more than 4 MiB hides nothing, and neither does an object
+    /// with holes by its opacity. `shot` must outlive the object.
     explicit LampCheck(const Shot& shot);
 
     /// Whether the shot has a table and the camera looks down on it: at least 45 degrees below the

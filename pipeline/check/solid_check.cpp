@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "pipeline/check/shape_box.h"
+#include "pipeline/shot/material_textures.h"
 #include "render/geometry/affine.h"
 #include "render/scene/scene_problems.h"
 
@@ -119,8 +120,7 @@ bool is_enclosed(const render::MeshShape& mesh, const Vec3& point, const Vec3& d
 /// Whether a camera may be meant to look out of an object, because it shines or is cut out.
 bool shows_its_inside(const Shot& shot, const std::string& material) {
     return std::ranges::any_of(shot.scene.materials, [&](const auto& m) {
-        const bool is_whole = m.phong || m.surface.opacity.constant_or(0) == 1;
-        return m.name == material && (!is_whole || render::is_emissive(m));
+        return m.name == material && (is_cut_out(m) || render::is_emissive(m));
     });
 }
 

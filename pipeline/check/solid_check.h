@@ -18,7 +18,7 @@ namespace carom::pipeline {
 
 /// The closed shapes of a shot. Those that are built around everything, as rooms and skies are, do
 /// not count: surfaces that emit light, and shapes of 3 to 40 m that contain the table and all
-/// bodies.
+/// bodies. Nor do those with holes by their opacity.
 class SolidCheck {
   public:
     SolidCheck(const Shot& shot, const sim::Timeline& timeline);

@@ -81,6 +81,10 @@ int texture_count(const render::MaterialDescription& material) {
     return count;
 }
 
+bool is_cut_out(const render::MaterialDescription& material) {
+    return !material.phong && material.surface.opacity.constant_or(0) < 1;
+}
+
 int depth_of(const MixTexture& mix) {
     const render::NumberTexture* by = mix.by.texture();
     return 1 +

@@ -20,6 +20,9 @@ void visit_textures(const render::MaterialDescription& material, const TextureVi
 /// How many textures a material has; a mix counts, and so does each texture in it.
 [[nodiscard]] int texture_count(const render::MaterialDescription& material);
 
+/// Whether some or all of the surface may be missing, by its opacity.
+[[nodiscard]] bool is_cut_out(const render::MaterialDescription& material);
+
 /// How many mixes are one in another; 1: it contains none.
 [[nodiscard]] int depth_of(const render::MixTexture& mix);
 

@@ -31,6 +31,21 @@ const MapSpec<render::Coat>& coat_spec() {
     return spec;
 }
 
+/// The strength of the cloth's own relief; a texture is told where it belongs.
+ValueType<double> bump() {
+    ValueType<double> type = number(between(0, 1));
+    type.read = [read = type.read](Reader& reader, const Node& node) {
+        if (!is_number(node)) {
+            reader.error(node.place, reader.value_name() + " must be a number, not " +
+                                         describe(node) +
+                                         "; 'height' and 'normal' are reliefs by textures");
+            return std::optional<double>();
+        }
+        return read(reader, node);
+    };
+    return type;
+}
+
 /// Glass has one roughness, and a picture whose alpha is the opacity is cut out wherever it is
 /// seen.
 void check_standard(Reader& reader, const Node& node, StandardMaterial& material) {
@@ -82,7 +97,7 @@ const MapSpec<StandardMaterial>& standard_spec() {
               "weight of the reflection at grazing angles, as in cloth");
         s.key("sheen_colour", &StandardMaterial::sheen_colour, colour(between(0, 1)),
               "colour of the sheen");
-        s.key("bump", &StandardMaterial::bump, number(between(0, 1)),
+        s.key("bump", &StandardMaterial::bump, bump(),
               "strength of the relief that `cloth` has of its own");
         const auto set_relief = [](StandardMaterial& material, auto relief) {
             material.relief = std::move(relief);
@@ -101,6 +116,8 @@ const MapSpec<StandardMaterial>& standard_spec() {
               "highlight");
         s.key("coat", &StandardMaterial::coat, record(coat_spec()), "a clear layer on top");
         s.at_most_one_of({"normal", "height"});
+        s.refuse("alpha", "is called 'opacity'");
+        s.refuse("displacement", "is not possible; 'height' and 'normal' shade a relief");
         s.check(check_standard);
         return s;
     }();

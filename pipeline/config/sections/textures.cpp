@@ -90,6 +90,7 @@ const MapSpec<ImageTexture>& number_image_spec() {
               "what of the picture is the number. `auto` is the luminance, but for an `opacity` "
               "the alpha of a picture that has it");
         add_background(s, "colour that counts");
+        s.refuse("range", "belongs beside 'image', not in it");
         s.refuse("tint",
                  "has no meaning where a number is wanted; 'range' says what black and white mean");
         return s;
@@ -243,13 +244,16 @@ class TextureSpecs {
   private:
     TextureSpecs() {
         add_kinds(colour_, image_spec());
+        colour_.refuse("range", "has no meaning where a colour is wanted");
         add_kinds(number_, number_image_spec());
         number_.key("range", &NumberTexture::range, vector2(Dimension::none, between(0, 1)),
                     "what black and white mean; the first may be the larger one");
         add_kinds(height_, number_image_spec());
         height_.key("depth", &HeightTexture::depth, length(between(-1, 1)),
                     "how much higher white is than black; negative: lower");
-        height_.refuse("range", "has no meaning; 'depth' says how high white is");
+        for (const char* key : {"range", "strength"}) {
+            height_.refuse(key, "has no meaning; 'depth' says how high white is");
+        }
         fill_mix();
     }
 
@@ -276,6 +280,14 @@ class TextureSpecs {
             },
             "two colours or textures, mixed");
         s.exactly_one_of({"image", "cloth", "wood", "checker", "ball", "mix"});
+        for (const char* key : {"mapping", "facing", "rotate", "scale", "size", "offset",
+                                "background", "is_linear", "channel", "tint"}) {
+            s.refuse(key, std::string(
+                              "belongs in the map of its kind, as in {image: {file: wood.png, ") +
+                              key + ": ...}}");
+        }
+        s.refuse("file",
+                 "belongs in the map of a picture, as in {image: {file: wood.png, mapping: box}}");
     }
 
     void fill_mix() {
@@ -328,6 +340,7 @@ const MapSpec<NormalPicture>& normal_spec() {
             .required();
         s.key("strength", &NormalPicture::strength, number(between(0, 10)),
               "factor on the slopes; 0: flat");
+        s.refuse("file", "belongs in the map of a picture, as in {image: {file: normals.png}}");
         return s;
     }();
     return spec;

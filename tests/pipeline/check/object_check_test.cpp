@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "pipeline/check/lamp_check.h"
 #include "pipeline/check/motion_check.h"
 #include "pipeline/check/solid_check.h"
 
@@ -203,6 +204,26 @@ TEST_F(ObjectCheck, ObjectsWithHoles_MayContainTheCamera) {
     EXPECT_TRUE(warns_with(1));
     EXPECT_FALSE(warns_with(0.5));
     EXPECT_FALSE(warns_with(render::NumberTexture{render::CheckerTexture{}}));
+}
+
+TEST_F(ObjectCheck, ObjectsWithHoles_DoNotHideTheTable) {
+    shot_.world.table.emplace();
+    shot_.world.table->length = 2;
+    shot_.world.table->width = 1;
+    render::MaterialDescription net;
+    net.name = "net";
+    add(render::BoxShape{{4, 4, 0.1}}, Vec3(0, 0, 1)).material = "net";
+    render::CameraState camera;
+    camera.position = Vec3(0, 0, 2);
+    camera.target = Vec3(0, 0, 0);
+    camera.up = Vec3(0, 1, 0);
+    const auto hides = [&](const render::NumberSource& opacity) {
+        net.surface.opacity = opacity;
+        shot_.scene.materials = {net};
+        return LampCheck(shot_).hidden_shares(camera).contains("chalk");
+    };
+    EXPECT_TRUE(hides(1));
+    EXPECT_FALSE(hides(render::NumberTexture{render::CheckerTexture{}}));
 }
 
 TEST_F(ObjectCheck, MovingObject_IsWhereItsTrackIs) {

@@ -210,7 +210,23 @@ class ShotMaker {
     Yaml materials() {
         Yaml standard;
         standard.add("base", colour());
-        standard.add("roughness", number(0, 1));
+        if (dice_.chance(0.5)) {
+            standard.add("roughness", number(0, 1));
+        } else {
+            Yaml checker = Yaml().add("size", length(0.01, 0.1)).add("mapping", "box");
+            standard.add("roughness", Yaml()
+                                          .add("checker", std::move(checker))
+                                          .add("range", Yaml::list({number(0, 1), number(0, 1)})));
+        }
+        if (dice_.chance(0.3)) {
+            Yaml wood = Yaml().add("wood", Yaml().add("rotate", angle(0, 90)));
+            standard.add(
+                "emission",
+                Yaml().add(
+                    "mix",
+                    Yaml().add("a", std::move(wood)).add("b", colour()).add("by", number(0, 1))));
+            standard.add("emission_strength", number(1, 9));
+        }
         if (dice_.chance(0.5)) {
             standard.add("coat", Yaml().add("weight", number(0, 1)).add("ior", number(1.1, 2)));
         }
