@@ -124,34 +124,6 @@ struct ObjectSection {
     Place shape_place;
 };
 
-/// An environment light: a picture, a colour or a sky.
-struct EnvironmentSection {
-    std::optional<std::string> image;
-    std::optional<Vec3> radiance;
-    std::optional<render::Sky> sky;
-};
-
-/// Half angles of a spot's cone, rad.
-struct SpotAngles {
-    double inner = 0.3;
-    double outer = 0.4;
-};
-
-struct LightSection {
-    std::optional<Vec3> point, spot, directional;  // intensity, W/sr; irradiance, W/m^2
-    SpotAngles angle;
-    std::optional<Vec2> rectangle;
-    std::optional<double> sphere;
-    std::optional<EnvironmentSection> environment;
-    Vec3 at{0, 0, 1};
-    Vec3 facing{0, 0, -1};
-    double roll = 0;
-    double rotation = 0;
-    Vec3 radiance{1, 1, 1};
-    double strength = 1;
-    render::Falloff falloff = render::Falloff::inverse_square;
-};
-
 /// A want, and where it stands. A measure is read once the world is known.
 struct WantSection {
     solve::Want want;
@@ -208,7 +180,7 @@ struct ShotFile {
     std::vector<SolveSection> solve;  // in the order in which they are found
     std::vector<OpenStrike> open;     // of these
     std::vector<Named<render::MaterialDescription>> materials;  // their own names are empty
-    std::vector<Named<LightSection>> lights;
+    std::vector<Named<render::LightDescription>> lights;  // without names
     std::optional<StickSection> stick;
     std::vector<CameraRig> cameras;
     Place cameras_place;

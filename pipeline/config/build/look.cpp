@@ -54,10 +54,9 @@ void add_lights(Builder& builder) {
         lights = default_lights(table ? &*table : nullptr);
         return;
     }
-    for (const Named<LightSection>& given : builder.file.lights) {
-        render::LightDescription light = to_light(given.value);
-        light.name = given.name;
-        lights.push_back(std::move(light));
+    for (const Named<render::LightDescription>& given : builder.file.lights) {
+        lights.push_back(given.value);
+        lights.back().name = given.name;
     }
 }
 

@@ -15,6 +15,35 @@ constexpr double kBrightest = 1e9;
 
 /// Half the edges of a rectangle that faces `normal`: u is parallel to the floor (along x if the
 /// rectangle faces up or down) and rotated by `roll` about the normal.
+/// An environment light: a picture, a colour or a sky.
+struct EnvironmentSection {
+    std::optional<std::string> image;
+    std::optional<Vec3> radiance;
+    std::optional<render::Sky> sky;
+};
+
+/// Half angles of a spot's cone, rad.
+struct SpotAngles {
+    double inner = 0.3;
+    double outer = 0.4;
+};
+
+/// The keys of a light of any kind.
+struct LightSection {
+    std::optional<Vec3> point, spot, directional;  // intensity, W/sr; irradiance, W/m^2
+    SpotAngles angle;
+    std::optional<Vec2> rectangle;
+    std::optional<double> sphere;
+    std::optional<EnvironmentSection> environment;
+    Vec3 at{0, 0, 1};
+    Vec3 facing{0, 0, -1};
+    double roll = 0;
+    double rotation = 0;
+    Vec3 radiance{1, 1, 1};
+    double strength = 1;
+    render::Falloff falloff = render::Falloff::inverse_square;
+};
+
 render::RectangleLight rectangle_light(const LightSection& keys) {
     const Vec3 normal = keys.facing / std::sqrt(keys.facing.dot(keys.facing));
     const Vec3 level = Vec3(0, 0, 1).cross(normal);
@@ -103,8 +132,6 @@ void check_directions(Reader& reader, const Node& node, LightSection& keys) {
     }
 }
 
-}  // namespace
-
 const MapSpec<LightSection>& light_spec() {
     static const MapSpec<LightSection> spec = [] {
         MapSpec<LightSection> s(
@@ -187,6 +214,19 @@ LightDescription to_light(const LightSection& keys) {
         result.light = light;
     }
     return result;
+}
+
+}  // namespace
+
+ValueType<std::vector<Named<LightDescription>>> lights() {
+    return convert<std::vector<Named<LightDescription>>>(
+        named("light", light_spec()), [](const std::vector<Named<LightSection>>& sections) {
+            std::vector<Named<LightDescription>> result;
+            for (const Named<LightSection>& section : sections) {
+                result.push_back({section.name, section.place, to_light(section.value)});
+            }
+            return result;
+        });
 }
 
 }  // namespace carom::pipeline::config

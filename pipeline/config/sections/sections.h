@@ -32,7 +32,6 @@ struct NotStored {};
 /// The keys of a strike that say what it shall do, from which its direction is found.
 [[nodiscard]] std::span<const std::string_view> aim_keys();
 [[nodiscard]] const MapSpec<render::MaterialDescription>& material_spec();
-[[nodiscard]] const MapSpec<LightSection>& light_spec();
 [[nodiscard]] const MapSpec<CameraRig>& camera_spec();
 [[nodiscard]] const MapSpec<RenderSection>& render_spec();
 [[nodiscard]] const MapSpec<OutputSettings>& output_spec();
@@ -70,10 +69,8 @@ void add_event_start(MapSpec<sim::ForceEvent>& spec);
 /// {axis, angle} of up to 100 revolutions, as the unit axis times the angle.
 [[nodiscard]] ValueType<Vec3> rotation_vector();
 
-/// The light that a section describes (its name is left empty).
-[[nodiscard]] render::LightDescription to_light(const LightSection& section);
-
 /// The keys of a material's {ball: ...}.
+[[nodiscard]] ValueType<std::vector<Named<render::LightDescription>>> lights();
 [[nodiscard]] const MapSpec<render::BallTexture>& ball_texture_spec();
 
 }  // namespace carom::pipeline::config

@@ -70,7 +70,7 @@ const MapSpec<ShotFile>& shot_spec() {
             "materials", named("material", material_spec()),
             [](ShotFile& shot, auto value) { shot.materials = std::move(value); },
             "materials of surfaces");
-        s.key("lights", &ShotFile::lights, named("light", light_spec()),
+        s.key("lights", &ShotFile::lights, lights(),
               "light sources. Without any, the scene has a lamp above the table and a dim room");
         s.key("cameras", &ShotFile::cameras, numbered("camera", camera_spec()),
               "cameras, each with its interval of the film");
