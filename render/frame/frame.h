@@ -18,7 +18,7 @@ namespace carom::render {
 class FrameSums;  // render/frame/frame_sums.h
 
 /// Incremented whenever the renderer's pixels change for the same inputs.
-inline constexpr int kRendererRevision = 20;
+inline constexpr int kRendererRevision = 21;
 
 /// The inputs of a frame besides scene and tracks. Canonical: scene_open <= scene_close.
 struct FrameInput {

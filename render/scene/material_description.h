@@ -44,6 +44,7 @@ struct ImageTexture {
     Vec3 tint{1, 1, 1};                // factor on the colour
     PictureChannel channel = PictureChannel::automatic;
 
+    [[nodiscard]] Vec3 mean_colour() const { return tint * 0.5; }  // which is not known
     bool operator==(const ImageTexture&) const = default;
 };
 constexpr auto fields_of(Describes<ImageTexture>) {
@@ -67,6 +68,9 @@ struct BallTexture {
     int number = 0;
     double disc_radius = 0.48;  // of the number's disc, in ball radii
     int spots = 0;              // small red dots, as on training balls (0, 6)
+
+    /// A colour that stands for all of it, as those of the other kinds.
+    [[nodiscard]] Vec3 mean_colour() const { return colour; }
 };
 constexpr auto fields_of(Describes<BallTexture>) {
     using T = BallTexture;
@@ -81,6 +85,8 @@ struct ClothTexture {
     double thread = 0.0008;   // spacing of the weave, m
     double variation = 0.15;  // relative
     Placement placement{};
+
+    [[nodiscard]] Vec3 mean_colour() const { return colour; }
 };
 constexpr auto fields_of(Describes<ClothTexture>) {
     using T = ClothTexture;
@@ -94,6 +100,8 @@ struct WoodTexture {
     double ring = 0.012;  // mean spacing of the grain, m
     Vec3 grain{1, 0, 0};  // direction of the grain in object axes
     Placement placement{};
+
+    [[nodiscard]] Vec3 mean_colour() const { return (light + dark) / 2; }
 };
 constexpr auto fields_of(Describes<WoodTexture>) {
     using T = WoodTexture;
@@ -106,6 +114,8 @@ struct CheckerTexture {
     Vec3 odd{0.2, 0.2, 0.2};
     double size = 0.1;  // of a square, m
     Placement placement{};
+
+    [[nodiscard]] Vec3 mean_colour() const { return (even + odd) / 2; }
 };
 constexpr auto fields_of(Describes<CheckerTexture>) {
     using T = CheckerTexture;
