@@ -88,7 +88,7 @@ const MapSpec<ImageTexture>& number_image_spec() {
                                       {"alpha", PictureChannel::alpha},
                                       {"luminance", PictureChannel::luminance}}),
               "what of the picture is the number. `auto` is the luminance, but for an `opacity` "
-              "the alpha of a picture that has it");
+              "and the `by` of a mix the alpha of a picture that is transparent");
         add_background(s, "colour that counts");
         s.refuse("range", "belongs beside 'image', not in it");
         s.refuse("tint",
