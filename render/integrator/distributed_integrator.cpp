@@ -1,5 +1,6 @@
 #include "render/integrator/distributed_integrator.h"
 
+#include <cmath>
 #include <deque>
 
 #include "render/integrator/wave/hit_surfaces.h"
@@ -13,7 +14,7 @@ NumberRows make_models(const std::vector<Material>& materials, SceneArena& arena
     for (const Material& material : materials) {
         const PhongModel& phong = material.phong();
         scalar::ClassicOf<scalar::One> model{};
-        model.emission = material.emission();
+        model.emission = material.mean_emission();
         model.ambient = phong.ambient;
         model.has_ambient = phong.has_ambient ? 1.0F : 0.0F;
         model.diffuse_fraction = phong.diffuse_fraction;
@@ -182,6 +183,10 @@ void DistributedIntegrator::process_hits(Forest& forest, Generation& all, int ge
         RadianceSample& result = forest.results[rays.slot.at[all.vertices.path.at[i]]];
         result.normal = all.vertices.normal.get(i);
         result.albedo = all.vertices.base.get(i);
+        result.roughness =
+            std::sqrt(scene_.materials[static_cast<std::size_t>(all.vertices.material.at[i])]
+                          .numbers()
+                          .alpha);
     }
 }
 
@@ -201,6 +206,7 @@ void DistributedIntegrator::shade(Forest& forest, const DistributedStep& step) c
         begin_shadows(first, step.vertices.count, rays, shadows);
         kernels_->shade_rays(step, shadows);
         trace_shadows(scene_.frame.structure(), shadows);
+        varying_emitters_.correct(shadows);
         const auto asked = static_cast<std::uint64_t>(rays) *
                            static_cast<std::uint64_t>(shadows.last - shadows.first);
         forest.count->shadow_rays += asked;

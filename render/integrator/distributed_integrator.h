@@ -3,6 +3,7 @@
 
 #include "render/integrator/integrator.h"
 #include "render/integrator/transport_scene.h"
+#include "render/integrator/varying_emitters.h"
 #include "render/integrator/wave/make_wave_scene.h"
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/scene/distributed_settings.h"
@@ -44,6 +45,7 @@ class DistributedIntegrator final : public Integrator {
     void shade(Forest& forest, const DistributedStep& step) const;
 
     TransportScene scene_;
+    VaryingEmitters varying_emitters_{scene_};
     DistributedSettings settings_;
     SceneArena arena_;
     const WaveScene& wave_scene_;

@@ -40,9 +40,12 @@ class Material {
 
     /// The model for the distributed integrator.
     [[nodiscard]] const PhongModel& phong() const { return phong_; }
-    /// Radiance of the surface's front, W/(m^2 sr); if it varies, about its mean.
+    /// Radiance of the surface's front, W/(m^2 sr); if it varies, grey and about its mean.
     [[nodiscard]] const V3f& emission() const { return emission_; }
     [[nodiscard]] bool is_emissive() const { return emission_ != V3f(0, 0, 0); }
+    [[nodiscard]] V3f mean_emission() const {
+        return emission_varies() ? textures_.mean_emission() : emission_;
+    }
     [[nodiscard]] bool emission_varies() const { return textures_.numbers().emission >= 0; }
     /// Whether rays may pass by it as if it were not there.
     [[nodiscard]] bool is_cut_out() const {
