@@ -324,7 +324,7 @@ stick: {length: 1.48 m, tip: 12.5 mm}
         mix:
           a: {wood: {}}
           b: {image: logo.png}
-          by: {image: {file: logo.png, channel: alpha}}
+          by: {image: logo.png}
 )"},
         {"number texture", R"(materials:
   worn: {standard: {base: 0.4, metal: 1, roughness: {image: logo.png, range: [0.15, 0.5]}}}

@@ -63,10 +63,7 @@ void check_standard(Reader& reader, const Node& node, StandardMaterial& material
         reader.error(strength->key_place, "'emission_strength' has no meaning without 'emission'");
     }
     const render::NumberTexture* opacity = material.opacity.texture();
-    const auto* mask =
-        opacity == nullptr ? nullptr : std::get_if<render::ImageTexture>(&opacity->pattern);
-    if (mask != nullptr && (mask->channel == render::PictureChannel::automatic ||
-                            mask->channel == render::PictureChannel::alpha)) {
+    if (const auto* mask = opacity == nullptr ? nullptr : mask_of(*opacity)) {
         reader.set_cut_out(mask->file);
     }
 }

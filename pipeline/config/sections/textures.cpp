@@ -88,7 +88,7 @@ const MapSpec<ImageTexture>& number_image_spec() {
                                       {"alpha", PictureChannel::alpha},
                                       {"luminance", PictureChannel::luminance}}),
               "what of the picture is the number. `auto` is the luminance, but for an `opacity` "
-              "and the `by` of a mix the alpha of a picture that is transparent");
+              "and the `by` of a mix the alpha of a picture that has it");
         add_background(s, "colour that counts");
         s.refuse("range", "belongs beside 'image', not in it");
         s.refuse("tint",
@@ -305,14 +305,14 @@ class TextureSpecs {
                                                  std::to_string(kDeepestMix) + " deep");
         }
         const NumberTexture* by = mix.by.texture();
-        const auto* mask = by == nullptr ? nullptr : std::get_if<ImageTexture>(&by->pattern);
-        if (mask == nullptr || mask->channel != PictureChannel::alpha) {
-            return;
-        }
-        const Entry* opaque = node.find(by->range.x < by->range.y ? "b" : "a");
-        if (opaque != nullptr) {
-            const Reader::Scope scope(reader, opaque->key, opaque->key_place);
-            reader.set_cut_out(mask->file);
+        if (const ImageTexture* mask = by == nullptr ? nullptr : mask_of(*by)) {
+            const bool is_b_opaque = by->range.x < by->range.y;
+            for (const char* side : {"by", is_b_opaque ? "b" : "a"}) {
+                if (const Entry* entry = node.find(side)) {
+                    const Reader::Scope scope(reader, entry->key, entry->key_place);
+                    reader.set_cut_out(mask->file);
+                }
+            }
         }
     }
 
@@ -347,6 +347,13 @@ const MapSpec<NormalPicture>& normal_spec() {
 }
 
 }  // namespace
+
+const ImageTexture* mask_of(const NumberTexture& number) {
+    const auto* image = std::get_if<ImageTexture>(&number.pattern);
+    const bool may_be_alpha = image != nullptr && (image->channel == PictureChannel::automatic ||
+                                                   image->channel == PictureChannel::alpha);
+    return may_be_alpha ? image : nullptr;
+}
 
 ValueType<ColourSource> colour_source(const Range& range) {
     return TextureSpecs::get().colour_source(range);

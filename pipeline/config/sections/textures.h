@@ -18,4 +18,8 @@ namespace carom::pipeline::config {
 /// A texture whose bright parts are higher than its dark ones.
 [[nodiscard]] ValueType<render::HeightTexture> height_texture();
 
+/// The picture whose alpha is the opacity or share of a mix, if it has alpha; nullptr: there is
+/// none.
+[[nodiscard]] const render::ImageTexture* mask_of(const render::NumberTexture& number);
+
 }  // namespace carom::pipeline::config

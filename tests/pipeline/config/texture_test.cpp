@@ -243,6 +243,7 @@ std::vector<std::string> seen_transparent(const std::string& keys) {
 }
 
 const std::string kPicture = "{image: files/picture.png}";
+const std::string kRed = "{image: {file: files/picture.png, channel: red}}";
 const std::string kAlpha = "{image: {file: files/picture.png, channel: alpha}}";
 
 TEST(Transparency, IsMeantWithABackgroundOrAnOpacity) {
@@ -279,8 +280,9 @@ TEST(Transparency, OfAMixByAlpha_IsMeantOnTheOpaqueSide) {
                     ", by: {image: {file: files/picture.png, channel: alpha}, "
                     "range: [1, 0]}"),
                 ElementsAre());
-    EXPECT_THAT(mix("b: " + kPicture + ", by: " + kPicture),
-                ElementsAre("base.mix.b.image", "base.mix.by.image"));
+    EXPECT_THAT(mix("b: " + kPicture + ", by: " + kPicture), ElementsAre());
+    EXPECT_THAT(mix("b: " + kPicture + ", by: " + kRed),
+                ElementsAre("base.mix.b.image", "base.mix.by.image.file"));
     EXPECT_THAT(mix("b: {mix: {a: " + kPicture + "}}, by: " + kAlpha), ElementsAre());
 }
 
