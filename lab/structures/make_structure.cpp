@@ -57,17 +57,17 @@ Measured make(AccelerationKind kind, const ShapeSet& shapes, std::span<const Mes
         case AccelerationKind::grid:
             return over.operator()<UniformGrid>();
         case AccelerationKind::octree:
-            return over.operator()<Octree<Placement::centre>>();
+            return over.operator()<Octree<CubePlacement::centre>>();
         case AccelerationKind::octree_queue:
             return over.operator()<QueuedOctree>();
         case AccelerationKind::octree_loose:
-            return over.operator()<Octree<Placement::loose>>();
+            return over.operator()<Octree<CubePlacement::loose>>();
         case AccelerationKind::octree_enclosing:
-            return over.operator()<Octree<Placement::enclosing>>();
+            return over.operator()<Octree<CubePlacement::enclosing>>();
         case AccelerationKind::octree_overlapping:
-            return over.operator()<Octree<Placement::overlapping>>();
+            return over.operator()<Octree<CubePlacement::overlapping>>();
         case AccelerationKind::octree_cut:
-            return over.operator()<Octree<Placement::cut>>();
+            return over.operator()<Octree<CubePlacement::cut>>();
         case AccelerationKind::kd_tree:
             return over.operator()<KdTree>();
         case AccelerationKind::kd_tree_median:

@@ -62,7 +62,7 @@ bool contains(const Box& outer, const Box& inner) {
     return outer.intersects(inner.min) && outer.intersects(inner.max);
 }
 
-template <Placement placement>
+template <CubePlacement placement>
 class Builder {
   public:
     Builder(const std::vector<Box>& boxes, const StructureSizes& sizes, BoxHierarchy& result)
@@ -75,7 +75,7 @@ class Builder {
             centres.extendBy(boxes[shape].center());
         }
         if (!all.empty()) {
-            const Box& region = placement == Placement::centre ? centres : bounds_;
+            const Box& region = placement == CubePlacement::centre ? centres : bounds_;
             build(all, around(region), kMostCopies, 0);
         }
     }
@@ -103,7 +103,7 @@ class Builder {
         for (std::size_t part = 0; part < parts.parts.size(); ++part) {
             const Entries& of_part = parts.parts[part];
             // An unfitted cube is entered also for a single shape.
-            if (of_part.size() == 1 && placement != Placement::overlapping) {
+            if (of_part.size() == 1 && placement != CubePlacement::overlapping) {
                 entries.push_back(of_part[0]);
             } else if (!of_part.empty()) {
                 const std::uint32_t below =
@@ -116,9 +116,9 @@ class Builder {
 
     /// What a ray must enter to visit the node.
     [[nodiscard]] Box box_of(std::uint32_t node, const Cube& cube) const {
-        if constexpr (placement == Placement::overlapping) {
+        if constexpr (placement == CubePlacement::overlapping) {
             return intersection(cube.box, bounds_);
-        } else if constexpr (placement == Placement::loose) {
+        } else if constexpr (placement == CubePlacement::loose) {
             return intersection(cube.loose_box(), bounds_);
         } else {
             return result_.box_of(node);
@@ -144,7 +144,7 @@ class Builder {
             for (std::size_t part = 0; part < result.parts.size(); ++part) {
                 const Box inside = intersection(shape.box, cube.part(part).box);
                 if (!inside.isEmpty()) {
-                    const Box& kept = placement == Placement::cut ? inside : shape.box;
+                    const Box& kept = placement == CubePlacement::cut ? inside : shape.box;
                     result.parts[part].push_back({kept, shape.index, true});
                     result.count += 1;
                 }
@@ -159,9 +159,9 @@ class Builder {
     }
 
     [[nodiscard]] static bool fits(const Box& box, const Cube& cube) {
-        if constexpr (placement == Placement::centre) {
+        if constexpr (placement == CubePlacement::centre) {
             return true;
-        } else if constexpr (placement == Placement::loose) {
+        } else if constexpr (placement == CubePlacement::loose) {
             return contains(cube.loose_box(), box) &&
                    box.size()[static_cast<int>(box.majorAxis())] <= cube.edge();
         } else {
@@ -176,16 +176,16 @@ class Builder {
 
 }  // namespace
 
-template <Placement placement>
+template <CubePlacement placement>
 Octree<placement>::Octree(const Primitives& primitives, const StructureSizes& sizes) {
     const std::vector<Box> boxes = swept_boxes(primitives);
     Builder<placement>(boxes, sizes, *this);
 }
 
-template class Octree<Placement::centre>;
-template class Octree<Placement::loose>;
-template class Octree<Placement::enclosing>;
-template class Octree<Placement::overlapping>;
-template class Octree<Placement::cut>;
+template class Octree<CubePlacement::centre>;
+template class Octree<CubePlacement::loose>;
+template class Octree<CubePlacement::enclosing>;
+template class Octree<CubePlacement::overlapping>;
+template class Octree<CubePlacement::cut>;
 
 }  // namespace carom::render

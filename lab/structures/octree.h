@@ -10,7 +10,7 @@
 namespace carom::render {
 
 /// Where a shape is stored in an octree (Glassner 1984, "Space subdivision for fast ray tracing").
-enum class Placement {
+enum class CubePlacement {
     /// In the leaf that contains its centre. The box of each cube is fitted to its shapes: so every
     /// shape is tested once, none is lost at a border, and boxes are smaller than those of a loose
     /// octree.
@@ -31,12 +31,12 @@ enum class Placement {
 };
 
 /// Whether a shape may be in several leaves.
-[[nodiscard]] constexpr bool has_copies(Placement placement) {
-    return placement == Placement::overlapping || placement == Placement::cut;
+[[nodiscard]] constexpr bool has_copies(CubePlacement placement) {
+    return placement == CubePlacement::overlapping || placement == CubePlacement::cut;
 }
 
 /// A cube with few shapes is not divided.
-template <Placement placement>
+template <CubePlacement placement>
 class Octree : public BoxHierarchy {
   public:
     Octree(const Primitives& primitives, const StructureSizes& sizes);
@@ -54,15 +54,15 @@ class Octree : public BoxHierarchy {
     }
 };
 
-extern template class Octree<Placement::centre>;
-extern template class Octree<Placement::loose>;
-extern template class Octree<Placement::enclosing>;
-extern template class Octree<Placement::overlapping>;
-extern template class Octree<Placement::cut>;
+extern template class Octree<CubePlacement::centre>;
+extern template class Octree<CubePlacement::loose>;
+extern template class Octree<CubePlacement::enclosing>;
+extern template class Octree<CubePlacement::overlapping>;
+extern template class Octree<CubePlacement::cut>;
 
 /// An octree by centres whose cubes wait in one queue for all levels, from which the nearest is
 /// taken (Kay and Kajiya 1986, "Ray tracing complex scenes", section 4).
-class QueuedOctree : public Octree<Placement::centre> {
+class QueuedOctree : public Octree<CubePlacement::centre> {
   public:
     using Octree::Octree;
 
