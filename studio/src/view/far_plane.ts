@@ -55,8 +55,8 @@ function continued(uv: Attribute, corners: Attribute, points: Attribute): Float3
     return new Float32BufferAttribute(values, 2);
 }
 
-/// What continues a plane whose textures have these coordinates.
-function ringsAround(plane: BufferGeometry): BufferGeometry {
+/// What continues a plane, with the coordinates of its textures.
+export function ringsAround(plane: BufferGeometry): BufferGeometry {
     const geometry = rings();
     const corners = plane.getAttribute('position');
     for (const name of ['uv', 'uv1', 'uv2', 'uv3']) {
