@@ -115,6 +115,7 @@ FileChecker::Finding FileChecker::examine(const NamedFile& file, bool is_whole,
                 examine_mesh(file.path, is_whole, finding);
                 break;
             case FileKind::texture:
+            case FileKind::normals:
             case FileKind::environment:
             case FileKind::annotation_picture:
                 examine_picture(file.path, is_whole, finding);
@@ -158,10 +159,11 @@ std::vector<std::string> FileChecker::warnings_of(const NamedFile& file, const F
     if (found.transparent > 0 && file.kind == FileKind::environment) {
         sentences.push_back(transparent + ", where it is dark");
     }
-    if (found.transparent > 0 && file.kind == FileKind::texture && !file.has_background) {
+    if (found.transparent > 0 && file.kind == FileKind::texture && !file.is_transparency_meant) {
         sentences.push_back(transparent +
-                            ", where a light grey is seen; choose the colour: image: {file: ..., "
-                            "background: 0.8}");
+                            ", where a light grey is seen; cut the surface out there, beside "
+                            "'base', with 'opacity: {image: ...}' of the same file, or choose the "
+                            "colour: 'image: {file: ..., background: 0.8}'");
     }
     return sentences;
 }

@@ -13,6 +13,7 @@
 #include "pipeline/check/shape_box.h"
 #include "pipeline/check/solid_check.h"
 #include "pipeline/check/whole_mesh.h"
+#include "pipeline/shot/material_textures.h"
 #include "render/geometry/affine.h"
 
 namespace carom::pipeline {
@@ -34,6 +35,13 @@ constexpr std::array<std::pair<const char*, double>, 3> kUnits{
 std::string length_text(double metres) {
     return metres < 0.01 ? fmt::format("{:.3g} mm", 1000 * metres)
                          : fmt::format("{:.3g} m", metres);
+}
+
+bool is_laid_by_uv(const render::ColourSource& texture) {
+    const render::Placement* placement = placement_of(texture);
+    const bool is_picture = std::holds_alternative<render::ImageTexture>(texture);
+    return placement != nullptr && (placement->mapping == render::Mapping::uv ||
+                                    (placement->mapping == render::Mapping::own && is_picture));
 }
 
 class ObjectChecker {
@@ -128,13 +136,24 @@ class ObjectChecker {
         if (!reading.mesh.uv.empty() || material == shot_.scene.materials.end()) {
             return;
         }
-        const render::ColourSource& colour =
-            material->phong ? material->phong->diffuse : material->surface.base;
-        if (std::holds_alternative<render::ImageTexture>(colour)) {
+        std::vector<std::string> keys;
+        bool are_pictures = true;
+        visit_textures(*material, [&](std::string_view key, const render::ColourSource& texture) {
+            if (is_laid_by_uv(texture)) {
+                const std::string quoted = "'" + std::string(key) + "'";
+                if (keys.empty() || keys.back() != quoted) {
+                    keys.push_back(quoted);
+                }
+                are_pictures =
+                    are_pictures && std::holds_alternative<render::ImageTexture>(texture);
+            }
+        });
+        if (!keys.empty()) {
             warn(object, "material",
-                 "has no texture coordinates (uv), so that each of its triangles shows half of the "
-                 "picture of material '" +
-                     object.material + "'");
+                 fmt::format("has no texture coordinates (uv), so that each of its triangles shows "
+                             "half of the {} in {} of material '{}'; 'mapping: box' needs none",
+                             are_pictures ? "picture" : "texture", enumerate(keys, "and"),
+                             object.material));
         }
     }
 

@@ -116,9 +116,11 @@ bool is_enclosed(const render::MeshShape& mesh, const Vec3& point, const Vec3& d
     return is_odd;
 }
 
-bool is_luminous(const Shot& shot, const std::string& material) {
+/// Whether a camera may be meant to look out of an object, because it shines or is cut out.
+bool shows_its_inside(const Shot& shot, const std::string& material) {
     return std::ranges::any_of(shot.scene.materials, [&](const auto& m) {
-        return m.name == material && render::is_emissive(m);
+        const bool is_whole = m.phong || m.surface.opacity.constant_or(0) == 1;
+        return m.name == material && (!is_whole || render::is_emissive(m));
     });
 }
 
@@ -149,7 +151,7 @@ bool is_room(const Shot& shot, const render::ObjectDescription& object, const Im
 SolidCheck::SolidCheck(const Shot& shot, const sim::Timeline& timeline)
     : shot_(shot), meshes_(kLargestMesh), work_(kMaxTriangleTests) {
     for (const render::ObjectDescription& object : shot.scene.objects) {
-        if (!has_inside(object.shape) || is_luminous(shot, object.material)) {
+        if (!has_inside(object.shape) || shows_its_inside(shot, object.material)) {
             continue;
         }
         Solid solid;

@@ -12,6 +12,7 @@ namespace carom::pipeline {
 enum class FileKind : std::uint8_t {
     mesh,
     texture,             // a picture on a surface
+    normals,             // a picture of the normals of a surface
     environment,         // a picture around the scene
     annotation_picture,  // a picture over the frames
     font,
@@ -22,8 +23,8 @@ struct NamedFile {
     FileKind kind = FileKind::mesh;
     std::string path;  // absolute
     Problem where;     // a problem at the value that names the file, without a message
-    /// Whether the shot says which colour is seen where a texture is transparent.
-    bool has_background = false;
+    /// Whether the shot says what is seen where a texture is transparent.
+    bool is_transparency_meant = false;
 };
 
 }  // namespace carom::pipeline

@@ -115,7 +115,15 @@ std::string Reader::file(const Node& node, FileKind kind) {
 void Reader::set_background(const Node& node) {
     const auto file = std::ranges::find(files_, &node, &FileOfNode::node);
     if (file != files_.end()) {
-        file->has_background = true;
+        file->is_transparency_meant = true;
+    }
+}
+
+void Reader::set_cut_out(const std::string& path) {
+    const std::string value = key_path();
+    for (FileOfNode& file : files_) {
+        const bool is_within = file.key_path == value || file.key_path.starts_with(value + ".");
+        file.is_transparency_meant = file.is_transparency_meant || (is_within && file.path == path);
     }
 }
 
@@ -132,7 +140,7 @@ std::vector<NamedFile> Reader::named_files() const {
                           {},
                           sources_->line_of(place),
                           sources_->include_chain(place)},
-                         file.has_background});
+                         file.is_transparency_meant});
     }
     return named;
 }

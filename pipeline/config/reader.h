@@ -111,6 +111,9 @@ class Reader {
     [[nodiscard]] std::string file(const Node& node, FileKind kind);
     /// Says that the shot chooses the background of the texture that `node` names.
     void set_background(const Node& node);
+    /// Says that the current value, and what it contains, does not show the texture at `path` where
+    /// that is transparent.
+    void set_cut_out(const std::string& path);
     /// In the order of reading.
     [[nodiscard]] std::vector<NamedFile> named_files() const;
 
@@ -152,7 +155,7 @@ class Reader {
         FileKind kind = FileKind::mesh;
         std::string path;
         std::string key_path;
-        bool has_background = false;
+        bool is_transparency_meant = false;
     };
     std::vector<FileOfNode> files_;
     std::map<const Node*, std::string> replaced_;

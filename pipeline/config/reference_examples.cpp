@@ -314,6 +314,38 @@ stick: {length: 1.48 m, tip: 12.5 mm}
 )"},
         {"image", R"(materials:
   rail: {standard: {base: {image: {file: logo.png, size: [20 cm, 10 cm]}}}}
+  rock: {standard: {base: {image: {file: logo.png, mapping: box, tint: [1, 0.9, 0.8]}}}}
+)"},
+        {"texture mix", R"(materials:
+  # A label on wood: its transparent parts show the wood.
+  crate:
+    standard:
+      base:
+        mix:
+          a: {wood: {}}
+          b: {image: logo.png}
+          by: {image: {file: logo.png, channel: alpha}}
+)"},
+        {"number texture", R"(materials:
+  worn: {standard: {base: 0.4, metal: 1, roughness: {image: logo.png, range: [0.15, 0.5]}}}
+)"},
+        {"number image", R"(materials:
+  # One file of occlusion, roughness and metal in red, green and blue.
+  robot:
+    standard:
+      base: 0.6
+      roughness: {image: {file: logo.png, channel: green}}
+      metal: {image: {file: logo.png, channel: blue}}
+  leaf: {standard: {base: {image: logo.png}, opacity: {image: logo.png}}}
+)"},
+        {"normal", R"(materials:
+  tiles: {standard: {base: 0.5, normal: {image: logo.png, strength: 0.6}}}
+)"},
+        {"normal image", R"(materials:
+  tiles: {standard: {base: 0.5, normal: {image: {file: logo.png, mapping: box, size: [1 m, 1 m]}}}}
+)"},
+        {"height", R"(materials:
+  grip: {standard: {base: 0.1, height: {checker: {size: 4 mm}, depth: 0.5 mm}}}
 )"},
         {"cloth", R"(materials:
   cloth: {standard: {base: {cloth: {colour: [0.02, 0.15, 0.045], variation: 0.2}}, roughness: 0.9}}

@@ -1,7 +1,6 @@
 #include "pipeline/import/import_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -14,6 +13,7 @@
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/text.h"
 #include "pipeline/import/conversion.h"
+#include "pipeline/import/mesh_material.h"
 #include "pipeline/import/mtl_file.h"
 #include "render/geometry/mesh_file.h"
 
@@ -26,16 +26,6 @@ using scene_text::yaml;
 using scene_text::yaml_text;
 
 constexpr std::size_t kMostMtlBytes = 16'000'000;
-constexpr double kBrightest = 1e9;  // of an emission
-
-double limited(double value) {
-    return std::clamp(value, 0.0, 1.0);
-}
-
-Vec3 limited(const Vec3& colour, double most) {
-    return {std::clamp(colour.x, 0.0, most), std::clamp(colour.y, 0.0, most),
-            std::clamp(colour.z, 0.0, most)};
-}
 
 std::string obj_text(const render::MeshShape& mesh) {
     fmt::memory_buffer buffer;
@@ -203,87 +193,19 @@ class MeshImport {
         const auto found = library_.find(name);
         MtlMaterial material = found != library_.end() ? found->second : MtlMaterial{};
         if (!part.pictures.empty()) {
-            material.picture = MtlPicture{part.pictures.front()};
+            material.pictures["map_Kd"] = MtlPicture{part.pictures.front()};
         } else if (name.empty()) {
             return {};
         } else if (found == library_.end()) {
             note("material " + quote(name) + " is not defined; it is a plain grey");
         }
         std::string claimed = material_names_.claim(name.empty() ? stem_ : name);
-        materials_ += "  " + claimed + ": {standard: {" + standard(name, material, part) + "}}\n";
+        const MeshFiles files{[this](const std::string& file) { return find_file(file); },
+                              [this](const fs::path& file) { return relative(file); },
+                              [this](const std::string& sentence) { note(sentence); }};
+        materials_ += "  " + claimed + ": {standard: {" +
+                      standard_keys(name, material, !part.mesh.uv.empty(), files) + "}}\n";
         return claimed;
-    }
-
-    std::string base(const std::string& name, const MtlMaterial& m,
-                     const render::MeshReading& part) {
-        if (m.picture) {
-            const fs::path file = find_file(m.picture->file);
-            if (!file.empty()) {
-                if (part.mesh.uv.empty()) {
-                    note("material " + quote(name) +
-                         " has a picture, but its faces have no texture coordinates");
-                }
-                std::string text = "{image: {file: " + yaml_text(relative(file));
-                if (m.picture->scale != Vec2(1, 1) && m.picture->scale.x > 0 &&
-                    m.picture->scale.y > 0) {
-                    text += ", scale: [" + yaml(m.picture->scale.x) + ", " +
-                            yaml(m.picture->scale.y) + "]";
-                }
-                if (m.picture->offset != Vec2(0, 0)) {
-                    text += ", offset: [" + yaml(-m.picture->offset.x) + ", " +
-                            yaml(-m.picture->offset.y) + "]";
-                }
-                return text + "}}";
-            }
-            note("material " + quote(name) + ": no picture " + quote(m.picture->file) +
-                 " was found; its colour replaces it");
-        }
-        return yaml(limited(m.diffuse.value_or(Vec3(0.8, 0.8, 0.8)), 1));
-    }
-
-    /// Highlights of n have the width of a microfacet lobe with alpha^2 = 2 / (n + 2) (Walter et
-    /// al. 2007, section 5.2), and alpha is the square of the roughness. A specular colour of 0.5
-    /// is what programs write for a plain dielectric, which is a weight of 1.
-    std::string standard(const std::string& name, const MtlMaterial& m,
-                         const render::MeshReading& part) {
-        std::string text = "base: " + base(name, m, part);
-        const auto add = [&](const char* key, double value) {
-            text += std::string(", ") + key + ": " + yaml(value);
-        };
-        const bool is_matt = m.illumination && *m.illumination < 2;
-        const Vec3 specular = m.specular.value_or(Vec3(0, 0, 0));
-        const double weight = std::max({specular.x, specular.y, specular.z});
-        if (m.roughness || (m.shininess && !is_matt)) {
-            add("roughness", limited(m.roughness.value_or(std::pow(
-                                 2 / (std::max(0.0, m.shininess.value_or(0)) + 2), 0.25))));
-        }
-        if (weight > 0 && !is_matt) {
-            add("specular", limited(2 * weight));
-        }
-        for (const auto& [key, value] :
-             {std::pair{"metal", m.metal}, std::pair{"sheen", m.sheen}}) {
-            if (value && *value > 0) {
-                add(key, limited(*value));
-            }
-        }
-        if (m.opacity && *m.opacity < 1) {
-            add("transmission", limited(1 - *m.opacity));
-            add("ior", std::clamp(m.ior.value_or(1.5), 1.0, 3.0));
-            note("material " + quote(name) + ": its transparency became glass");
-        }
-        if (m.coat && *m.coat > 0) {
-            text += ", coat: {weight: " + yaml(limited(*m.coat)) +
-                    ", roughness: " + yaml(limited(m.coat_roughness.value_or(0))) + "}";
-        }
-        if (m.emission && *m.emission != Vec3(0, 0, 0)) {
-            text += ", emission: " + yaml(limited(*m.emission, kBrightest));
-        }
-        if (!m.ignored.empty()) {
-            note("material " + quote(name) + ": " +
-                 enumerate(std::vector<std::string>(m.ignored.begin(), m.ignored.end()), "and") +
-                 (m.ignored.size() == 1 ? " is" : " are") + " not read");
-        }
-        return text;
     }
 
     std::string path_;

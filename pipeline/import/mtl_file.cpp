@@ -41,6 +41,30 @@ std::optional<Vec3> colour(const Words& words) {
     return red && green && blue ? std::optional(Vec3(*red, *green, *blue)) : std::nullopt;
 }
 
+/// "" for channels that a shot does not have.
+std::string channel_of(std::string_view letter) {
+    static const std::map<std::string_view, std::string> kChannels{
+        {"r", "red"}, {"g", "green"}, {"b", "blue"}, {"m", "alpha"}, {"l", "luminance"}};
+    const auto known = kChannels.find(letter);
+    return known == kChannels.end() ? std::string() : known->second;
+}
+
+/// `word`: the last value as it was written.
+void set_option(std::string_view option, std::string_view word, const std::array<double, 2>& values,
+                MtlPicture& result) {
+    if (option == "-s") {
+        result.scale = {values[0], values[1]};
+    } else if (option == "-o") {
+        result.offset = {values[0], values[1]};
+    } else if (option == "-bm") {
+        result.bump = values[0];
+    } else if (option == "-mm") {
+        result.range = {values[0], values[0] + values[1]};
+    } else if (option == "-imfchan") {
+        result.channel = channel_of(word);
+    }
+}
+
 /// The file is the rest of the line after the options, because names may have blanks.
 std::optional<MtlPicture> picture(const Words& words) {
     /// How many values an option has; -o, -s and -t have up to three.
@@ -67,11 +91,7 @@ std::optional<MtlPicture> picture(const Words& words) {
                 values[i] = value.value_or(0);
             }
         }
-        if (option->first == "-s") {
-            result.scale = {values[0], values[1]};
-        } else if (option->first == "-o") {
-            result.offset = {values[0], values[1]};
-        }
+        set_option(option->first, words[at - 1], values, result);
     }
     if (at == words.size()) {
         return std::nullopt;
@@ -121,9 +141,17 @@ class MtlReader {
                                    : std::nullopt;
             return model.has_value();
         }
-        if (key == "map_Kd") {
-            m.picture = picture(words);
-            return m.picture.has_value();
+        static const std::map<std::string_view, std::string> kPictures{
+            {"map_Kd", "map_Kd"},     {"map_Ke", "map_Ke"},     {"map_Pr", "map_Pr"},
+            {"map_Pm", "map_Pm"},     {"map_Ps", "map_Ps"},     {"map_d", "map_d"},
+            {"map_Bump", "map_Bump"}, {"map_bump", "map_Bump"}, {"bump", "map_Bump"},
+            {"Bump", "map_Bump"},     {"norm", "norm"},         {"map_Kn", "norm"}};
+        if (const auto known = kPictures.find(key); known != kPictures.end()) {
+            const std::optional<MtlPicture> read = picture(words);
+            if (read) {
+                m.pictures[known->second] = *read;
+            }
+            return read.has_value();
         }
         if (key != "Ka") {  // ambient light is not of the material
             m.ignored.emplace(key.substr(0, 40));

@@ -13,9 +13,12 @@
 namespace carom::pipeline {
 
 struct MtlPicture {
-    std::string file;   // as it was written
-    Vec2 scale{1, 1};   // -s
-    Vec2 offset{0, 0};  // -o
+    std::string file;       // as it was written
+    Vec2 scale{1, 1};       // -s
+    Vec2 offset{0, 0};      // -o
+    double bump = 1;        // -bm
+    Vec2 range{0, 1};       // what black and white mean, by -mm
+    std::string channel{};  // -imfchan: "red", "green", "blue", "alpha", "luminance", or empty
 };
 
 struct MtlMaterial {
@@ -23,8 +26,10 @@ struct MtlMaterial {
     std::optional<double> shininess, roughness, metal, sheen;  // Ns, Pr, Pm, Ps
     std::optional<double> opacity, ior, coat, coat_roughness;  // d or 1 - Tr, Ni, Pc, Pcr
     std::optional<int> illumination;                           // illum
-    std::optional<MtlPicture> picture;                         // map_Kd
-    std::set<std::string> ignored;  // statements that are not read, such as map_Bump
+    /// By the statement: "map_Kd", "map_Ke", "map_Pr", "map_Pm", "map_Ps", "map_d", "map_Bump" (or
+    /// bump), "norm".
+    std::map<std::string, MtlPicture> pictures;
+    std::set<std::string> ignored;  // statements that are not read, such as map_Ks
 };
 
 struct MtlFile {

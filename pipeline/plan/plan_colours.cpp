@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <variant>
 
 #include <fmt/core.h>
 
@@ -96,17 +98,38 @@ std::string hex(const Vec3& linear) {
                        encoded(linear.z));
 }
 
+constexpr double kUnknownGrey = 0.33;  // of pictures and patterns
+
+Vec3 plan_colour(const render::ColourSource& source) {
+    if (const auto* plain = std::get_if<Vec3>(&source)) {
+        return *plain;
+    }
+    if (const auto* ball = std::get_if<render::BallTexture>(&source)) {
+        return ball->colour;
+    }
+    if (const auto* mix = std::get_if<std::shared_ptr<const render::MixTexture>>(&source)) {
+        const double by = (*mix)->by.constant_or(0.5);
+        return plan_colour((*mix)->a) * (1 - by) + plan_colour((*mix)->b) * by;
+    }
+    return Vec3(kUnknownGrey);
+}
+
+/// The first ball in a texture, for its stripe and number; nullptr if it has none.
+const render::BallTexture* find_ball(const render::ColourSource& source) {
+    if (const auto* mix = std::get_if<std::shared_ptr<const render::MixTexture>>(&source)) {
+        const render::BallTexture* ball = find_ball((*mix)->a);
+        return ball != nullptr ? ball : find_ball((*mix)->b);
+    }
+    return std::get_if<render::BallTexture>(&source);
+}
+
 ObjectPaint paint_of(const render::ColourSource& source) {
     ObjectPaint paint;
-    Vec3 colour(0.33, 0.33, 0.33);
-    if (const auto* plain = std::get_if<Vec3>(&source)) {
-        colour = *plain;
-    } else if (const auto* ball = std::get_if<render::BallTexture>(&source)) {
-        colour = ball->colour;
+    if (const render::BallTexture* ball = find_ball(source)) {
         paint.is_striped = ball->striped;
         paint.number = ball->number;
     }
-    paint.colour = hex(colour);
+    paint.colour = hex(plan_colour(source));
     return paint;
 }
 

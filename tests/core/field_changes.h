@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -73,6 +74,8 @@ class FieldChanges {
         report_(place, counts);
     }
 
+    void change(std::monostate& /*nothing*/, const std::string& /*place*/, bool /*counts*/) {}
+
     void change(std::string& text, const std::string& place, bool counts) {
         text += "x";
         report_(place, counts);
@@ -140,12 +143,38 @@ class FieldChanges {
         std::visit([&](auto& alternative) { of(alternative, place, counts); }, value);
         const std::size_t before = value.index();
         [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-            ((kIndex == before ? void()
-                               : of_new(value.template emplace<kIndex>(),
-                                        place + "<" + std::to_string(kIndex) + ">", counts)),
+            ((kIndex == before
+                  ? void()
+                  : of_new(value.template emplace<kIndex>(
+                               make<std::variant_alternative_t<kIndex, std::variant<T...>>>()),
+                           place + "<" + std::to_string(kIndex) + ">", counts)),
              ...);
         }
         (std::index_sequence_for<T...>{});
+    }
+
+    /// A part that is shared and constant, so that each change replaces it. Parts may contain parts
+    /// of their own kind.
+    template <Described T>
+    void change(std::shared_ptr<const T>& value, const std::string& place, bool counts) {
+        T part = value ? *value : make<T>();
+        const auto put = [&] { value = std::make_shared<const T>(part); };
+        if (!value) {
+            put();
+            report_(place + " given", counts);
+        }
+        if (shared_parts_ == kMostSharedParts) {
+            return;
+        }
+        FieldChanges changes(
+            [&](const std::string& changed, bool does_count) {
+                put();
+                report_(changed, does_count);
+            },
+            file_);
+        changes.shared_parts_ = shared_parts_ + 1;
+        changes.of(part, place, counts);
+        put();
     }
 
     /// A new value. Imath's vectors leave their numbers undefined unless they are given.
@@ -154,7 +183,23 @@ class FieldChanges {
         if constexpr (std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3>) {
             return T(0);
         } else {
-            return T();
+            T value = T();
+            define(value);
+            return value;
+        }
+    }
+
+    /// Gives a number to vectors that are the first alternative of a variant.
+    template <class T>
+    static void define(T& value) {
+        if constexpr (Described<T>) {
+            for_each_field(value, [](const auto& /*field*/, auto& member) { define(member); });
+        }
+    }
+    template <class... T>
+    static void define(std::variant<Vec3, T...>& value) {
+        if (value.index() == 0) {
+            value = Vec3(0);
         }
     }
 
@@ -165,8 +210,11 @@ class FieldChanges {
         of(value, place, counts);
     }
 
+    static constexpr int kMostSharedParts = 2;
+
     Report report_;
     std::string file_;
+    int shared_parts_ = 0;  // around the one that is being changed
 };
 
 /// Expects that every change of `value` that counts gives a new `hash` and that all others leave it

@@ -1,4 +1,13 @@
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/core.h>
+
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/config/sections/textures.h"
+#include "pipeline/config/value_types.h"
+#include "pipeline/shot/material_textures.h"
 
 namespace carom::pipeline::config {
 
@@ -11,142 +20,40 @@ using render::StandardMaterial;
 
 constexpr double kBrightest = 1e9;
 
-ValueType<render::NumberSource> fraction() {
-    ValueType<render::NumberSource> result = convert<render::NumberSource>(
-        number(between(0, 1)), [](double value) { return render::NumberSource(value); });
-    result.show = [](const render::NumberSource& source) {
-        return number().show(source.constant_or(0));
-    };
-    return result;
-}
-
 const MapSpec<render::Coat>& coat_spec() {
     static const MapSpec<render::Coat> spec = [] {
         MapSpec<render::Coat> s("coat", "A clear layer on top.", {1.0, 1.5, 0.0});
-        s.key("weight", &render::Coat::weight, fraction(), "weight of the coat; 0: no coat");
+        s.key("weight", &render::Coat::weight, fraction_source(), "weight of the coat; 0: no coat");
         s.key("ior", &render::Coat::ior, number(between(1, 3)), "index of refraction");
-        s.key("roughness", &render::Coat::roughness, fraction(), "roughness; 0: a mirror");
+        s.key("roughness", &render::Coat::roughness, fraction_source(), "roughness; 0: a mirror");
         return s;
     }();
     return spec;
 }
 
-const MapSpec<render::ImageTexture>& image_spec() {
-    static const MapSpec<render::ImageTexture> spec = [] {
-        MapSpec<render::ImageTexture> s("image", "A picture, placed by the surface's uv.");
-        s.key("file", &render::ImageTexture::file, file(FileKind::texture), "the picture")
-            .required();
-        s.key("scale", &render::ImageTexture::scale, vector2(Dimension::none, above_up_to(0, 1e4)),
-              "numbers of repetitions along u and v");
-        s.key("size", &render::ImageTexture::size, vector2(Dimension::length, above_up_to(0, 1e4)),
-              "instead of `scale`: width and height of the picture on flat shapes, on cylinders "
-              "and, around the equator, on spheres");
-        s.key("offset", &render::ImageTexture::offset, vector2(Dimension::none),
-              "translation of the picture along u and v, in widths and heights of the picture");
-        s.key(
-            "rotate",
-            [](render::ImageTexture& image) -> double& { return image.placement.rotation; },
-            angle(),
-            "rotation of the picture, counter-clockwise about the corner where u and v are 0");
-        s.key("is_linear", &render::ImageTexture::is_linear, boolean(),
-              "whether the values of the picture are linear, whatever its file says. Otherwise "
-              "integers are sRGB-encoded unless the file names another gamma, and floating-point "
-              "numbers are linear");
-        s.key("background", &render::ImageTexture::background, colour(between(0, 1)),
-              "colour that is seen where the picture is transparent. The default is 0.8, with a "
-              "warning");
-        s.at_most_one_of({"scale", "size"});
-        s.check([](Reader& reader, const Node& node, render::ImageTexture& image) {
-            if (image.background) {
-                reader.set_background(node.find("file")->value);
-            }
-        });
-        return s;
-    }();
-    return spec;
-}
-
-const MapSpec<render::ClothTexture>& cloth_spec() {
-    static const MapSpec<render::ClothTexture> spec = [] {
-        MapSpec<render::ClothTexture> s("cloth", "Woven cloth with a nap.");
-        s.key("colour", &render::ClothTexture::colour, colour(between(0, 1)), "mean albedo");
-        s.key("thread", &render::ClothTexture::thread, length(inside(0, 1)),
-              "spacing of the weave");
-        s.key("variation", &render::ClothTexture::variation, number(between(0, 1)),
-              "relative variation of the colour");
-        return s;
-    }();
-    return spec;
-}
-
-const MapSpec<render::WoodTexture>& wood_spec() {
-    static const MapSpec<render::WoodTexture> spec = [] {
-        MapSpec<render::WoodTexture> s("wood", "Wood with rings along a grain.");
-        s.key("light", &render::WoodTexture::light, colour(between(0, 1)),
-              "colour of the early wood");
-        s.key("dark", &render::WoodTexture::dark, colour(between(0, 1)), "colour of the late wood");
-        s.key("ring", &render::WoodTexture::ring, length(inside(0, 10)),
-              "mean spacing of the rings");
-        s.key("grain", &render::WoodTexture::grain, vector3(Dimension::none),
-              "direction of the grain in the object's axes");
-        s.check([](Reader& reader, const Node& node, render::WoodTexture& wood) {
-            if (wood.grain.length() < 1e-9) {
-                reader.error(node.find("grain")->value.place,
-                             "'grain' must not be the zero vector");
-            }
-        });
-        return s;
-    }();
-    return spec;
-}
-
-const MapSpec<render::CheckerTexture>& checker_spec() {
-    static const MapSpec<render::CheckerTexture> spec = [] {
-        MapSpec<render::CheckerTexture> s("checker", "Squares of two colours.");
-        s.key("even", &render::CheckerTexture::even, colour(between(0, 1)), "first colour");
-        s.key("odd", &render::CheckerTexture::odd, colour(between(0, 1)), "second colour");
-        s.key("size", &render::CheckerTexture::size, length(inside(0, 1000)),
-              "edge length of a square");
-        return s;
-    }();
-    return spec;
-}
-
-ValueType<render::ImageTexture> image() {
-    const auto by_file =
-        convert<render::ImageTexture>(file(FileKind::texture), [](std::string path) {
-            render::ImageTexture texture;
-            texture.file = std::move(path);
-            return texture;
-        });
-    return any_of<render::ImageTexture>({{is_scalar, by_file}, {is_map, record(image_spec())}});
-}
-
-const MapSpec<ColourSource>& texture_spec() {
-    static const MapSpec<ColourSource> spec = [] {
-        MapSpec<ColourSource> s("texture", "A colour that varies over the surface.");
-        const auto store = [](ColourSource& source, auto texture) { source = std::move(texture); };
-        s.set("image", image(), store, "a picture: the name of its file, or a map");
-        s.set("cloth", record(cloth_spec()), store, "woven cloth");
-        s.set("wood", record(wood_spec()), store, "wood");
-        s.set("checker", record(checker_spec()), store, "squares of two colours");
-        s.set("ball", record(ball_texture_spec()), store, "a billiard ball");
-        s.exactly_one_of({"image", "cloth", "wood", "checker", "ball"});
-        return s;
-    }();
-    return spec;
-}
-
-ValueType<ColourSource> colour_source(const Range& range) {
-    const auto constant =
-        convert<ColourSource>(colour(range), [](const Vec3& c) -> ColourSource { return c; });
-    ValueType<ColourSource> result = any_of<ColourSource>(
-        {{is_map, record(texture_spec())}, {[](const Node&) { return true; }, constant}});
-    result.show = [](const ColourSource& source) {
-        const Vec3* colour = std::get_if<Vec3>(&source);
-        return colour == nullptr ? std::string() : vector3(Dimension::none).show(*colour);
-    };
-    return result;
+/// Glass has one roughness, and a picture whose alpha is the opacity is cut out wherever it is
+/// seen.
+void check_standard(Reader& reader, const Node& node, StandardMaterial& material) {
+    if (material.transmission > 0 && material.roughness.texture() != nullptr) {
+        const Entry* roughness = node.find("roughness");
+        const Reader::Scope scope(reader, roughness->key, roughness->key_place);
+        reader.error(roughness->value.place,
+                     reader.label() +
+                         " must be a number, because 'transmission' makes glass, which has the "
+                         "same roughness everywhere");
+    }
+    const Entry* strength = node.find("emission_strength");
+    if (strength != nullptr && node.find("emission") == nullptr) {
+        const Reader::Scope scope(reader, strength->key, strength->key_place);
+        reader.error(strength->key_place, "'emission_strength' has no meaning without 'emission'");
+    }
+    const render::NumberTexture* opacity = material.opacity.texture();
+    const auto* mask =
+        opacity == nullptr ? nullptr : std::get_if<render::ImageTexture>(&opacity->pattern);
+    if (mask != nullptr && (mask->channel == render::PictureChannel::automatic ||
+                            mask->channel == render::PictureChannel::alpha)) {
+        reader.set_cut_out(mask->file);
+    }
 }
 
 const MapSpec<StandardMaterial>& standard_spec() {
@@ -155,12 +62,12 @@ const MapSpec<StandardMaterial>& standard_spec() {
             "standard",
             "Layers from the bottom to the top: diffuse base, metal or glass, sheen, coat.");
         s.key("base", &StandardMaterial::base, colour_source(between(0, 1)), "colour or a texture");
-        s.key("metal", &StandardMaterial::metal, fraction(),
+        s.key("metal", &StandardMaterial::metal, fraction_source(),
               "1: the base is the reflectance of a metal");
-        s.key("roughness", &StandardMaterial::roughness, fraction(),
+        s.key("roughness", &StandardMaterial::roughness, fraction_source(),
               "roughness of the base's highlight, and of glass: 0 is clear, a higher value is "
               "frosted");
-        s.key("specular", &StandardMaterial::specular, fraction(),
+        s.key("specular", &StandardMaterial::specular, fraction_source(),
               "weight of the base's own dielectric highlight");
         s.key("transmission", &StandardMaterial::transmission, number(between(0, 1)),
               "fraction of the base that is glass, which fills the volume of a closed surface");
@@ -171,15 +78,30 @@ const MapSpec<StandardMaterial>& standard_spec() {
         s.key("transmission_depth", &StandardMaterial::transmission_depth, length(between(0, 1000)),
               "distance at which the transmission colour is reached; 0: the colour is applied at "
               "each surface");
-        s.key("sheen", &StandardMaterial::sheen, fraction(),
+        s.key("sheen", &StandardMaterial::sheen, fraction_source(),
               "weight of the reflection at grazing angles, as in cloth");
         s.key("sheen_colour", &StandardMaterial::sheen_colour, colour(between(0, 1)),
               "colour of the sheen");
         s.key("bump", &StandardMaterial::bump, number(between(0, 1)),
-              "strength of the texture's own relief");
+              "strength of the relief that `cloth` has of its own");
+        const auto set_relief = [](StandardMaterial& material, auto relief) {
+            material.relief = std::move(relief);
+        };
+        s.set("normal", normal_picture(), set_relief,
+              "a relief of all layers: a picture of normals, by the name of its file or a map");
+        s.set("height", height_texture(), set_relief,
+              "a relief of all layers: a texture whose bright parts are higher");
         s.key("emission", &StandardMaterial::emission, colour_source(between(0, kBrightest)),
-              "radiance of the surface's front in W/(m^2 sr), which makes it a light");
+              "colour or a texture; times `emission_strength` it is the radiance of the surface's "
+              "front in W/(m^2 sr), which makes it a light");
+        s.key("emission_strength", &StandardMaterial::emission_strength,
+              number(between(0, kBrightest)), "factor on `emission`");
+        s.key("opacity", &StandardMaterial::opacity, fraction_source(),
+              "how much of the surface there is: where it is 0 it is cut out, without shadow or "
+              "highlight");
         s.key("coat", &StandardMaterial::coat, record(coat_spec()), "a clear layer on top");
+        s.at_most_one_of({"normal", "height"});
+        s.check(check_standard);
         return s;
     }();
     return spec;
@@ -215,6 +137,23 @@ const MapSpec<PhongMaterial>& phong_spec() {
     return spec;
 }
 
+/// Balls are painted with the material `ball`, so that its base is a texture even if it is none
+/// here.
+bool will_be_painted(const Reader& reader, const MaterialDescription& material) {
+    const ColourSource& base = material.phong ? material.phong->diffuse : material.surface.base;
+    return reader.key_path() == "materials.ball" && std::holds_alternative<Vec3>(base);
+}
+
+void check_count(Reader& reader, const Node& /*node*/, MaterialDescription& material) {
+    const int count = texture_count(material) + (will_be_painted(reader, material) ? 1 : 0);
+    if (count > kMostTextures) {
+        reader.error(reader.key_place(),
+                     fmt::format("{} has {} textures, but at most {} are possible; mixes and what "
+                                 "they mix all count",
+                                 reader.label(), count, kMostTextures));
+    }
+}
+
 }  // namespace
 
 const MapSpec<MaterialDescription>& material_spec() {
@@ -234,6 +173,7 @@ const MapSpec<MaterialDescription>& material_spec() {
             },
             "the classic Phong material");
         s.exactly_one_of({"standard", "phong"});
+        s.check(check_count);
         return s;
     }();
     return spec;

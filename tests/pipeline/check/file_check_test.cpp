@@ -82,8 +82,8 @@ TEST_F(FileCheck, EveryWrongFile_IsAnErrorAtItsPlace) {
     write("text.txt", "this is something else\n");
     write_picture("whole.png", 16, 16, 3, std::vector<float>(3 * 256, 0.5f));
     std::filesystem::resize_file(path("whole.png"), 60);
-    for (const FileKind kind :
-         {FileKind::texture, FileKind::environment, FileKind::annotation_picture}) {
+    for (const FileKind kind : {FileKind::texture, FileKind::normals, FileKind::environment,
+                                FileKind::annotation_picture}) {
         EXPECT_THAT(messages({named("whole.png", kind)}),
                     ElementsAre("error: image '" + path("whole.png") +
                                 "' cannot be read: the file ends too early"));
@@ -141,17 +141,20 @@ TEST_F(FileCheck, BlemishesOfAPicture_AreCounted) {
     }
 }
 
-TEST_F(FileCheck, TransparencyOfAPicture_IsAWarningUnlessItsBackgroundIsChosen) {
+TEST_F(FileCheck, TransparencyOfAPicture_IsAWarningUnlessItIsMeant) {
     write_picture("a.png", 2, 1, 4, {0, 0, 0, 0, 1, 1, 1, 1});
     const std::string start = "warning: image '" + path("a.png") + "' is transparent in 1 of 2 ";
-    EXPECT_THAT(messages({named("a.png", FileKind::texture)}),
-                ElementsAre(start + "pixels, where a light grey is seen; choose the colour: image: "
-                                    "{file: ..., background: 0.8}"));
+    EXPECT_THAT(
+        messages({named("a.png", FileKind::texture)}),
+        ElementsAre(start + "pixels, where a light grey is seen; cut the surface out there, "
+                            "beside 'base', with 'opacity: {image: ...}' of the same file, "
+                            "or choose the colour: 'image: {file: ..., background: 0.8}'"));
     EXPECT_THAT(messages({named("a.png", FileKind::environment)}),
                 ElementsAre(start + "pixels, where it is dark"));
     EXPECT_THAT(messages({named("a.png", FileKind::annotation_picture)}), IsEmpty());
+    EXPECT_THAT(messages({named("a.png", FileKind::normals)}), IsEmpty());
     NamedFile chosen = named("a.png", FileKind::texture);
-    chosen.has_background = true;
+    chosen.is_transparency_meant = true;
     EXPECT_THAT(messages({chosen}), IsEmpty());
 }
 

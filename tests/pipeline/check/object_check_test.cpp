@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -103,8 +104,51 @@ TEST_F(ObjectCheck, MaterialsOfTheFileAndPictureWithoutUv_AreTold) {
     photo.surface.base = render::ImageTexture{"/photo.png"};
     shot_.scene.materials = {photo};
     EXPECT_THAT(warnings(),
-                HasSubstr("object 'chalk' has no texture coordinates (uv), so that each of "
-                          "its triangles shows half of the picture of material 'photo'"));
+                HasSubstr("object 'chalk' has no texture coordinates (uv), so that each of its "
+                          "triangles shows half of the picture in 'base' of material 'photo'; "
+                          "'mapping: box' needs none\n"));
+}
+
+TEST_F(ObjectCheck, TexturesByUvOfEveryParameter_AreTold) {
+    add(file(), Vec3(0, 0, 0), Vec3(0.001, 0.001, 0.001)).material = "photo";
+    const auto warning = [&](const render::StandardMaterial& surface) {
+        shot_.scene.materials = {{"photo", surface, {}}};
+        const std::string text = warnings();
+        const std::size_t begin = text.find("half of the ");
+        return begin == std::string::npos ? "" : text.substr(begin, text.find(" of mat") - begin);
+    };
+    const render::ImageTexture by_uv{.file = "/photo.png"};
+    render::ImageTexture by_box = by_uv;
+    by_box.placement.mapping = render::Mapping::box;
+    render::CheckerTexture own;
+    render::CheckerTexture checker_by_uv;
+    checker_by_uv.placement.mapping = render::Mapping::uv;
+
+    render::StandardMaterial surface;
+    surface.base = by_box;
+    surface.roughness = render::NumberTexture{own};
+    EXPECT_EQ(warning(surface), "");
+    surface.roughness = render::NumberTexture{by_uv};
+    surface.coat.weight = render::NumberTexture{by_uv};
+    EXPECT_EQ(warning(surface), "half of the picture in 'roughness' and 'coat.weight'");
+    surface = {};
+    render::MixTexture mix;
+    mix.a = by_uv;
+    mix.by = render::NumberTexture{by_uv};
+    surface.base = std::make_shared<const render::MixTexture>(mix);
+    EXPECT_EQ(warning(surface), "half of the picture in 'base'");
+    mix.a = mix.b = own;
+    mix.by = render::NumberTexture{checker_by_uv};
+    surface.base = std::make_shared<const render::MixTexture>(mix);
+    EXPECT_EQ(warning(surface), "half of the texture in 'base'");
+    surface = {};
+    surface.relief = render::NormalPicture{by_uv};
+    surface.emission = by_uv;
+    surface.opacity = render::NumberTexture{by_uv};
+    EXPECT_EQ(warning(surface), "half of the picture in 'normal', 'emission' and 'opacity'");
+    surface = {};
+    surface.relief = render::HeightTexture{render::NumberTexture{by_uv}};
+    EXPECT_EQ(warning(surface), "half of the picture in 'height'");
 }
 
 TEST_F(ObjectCheck, CameraInsideAClosedShape_IsFound) {
@@ -145,6 +189,20 @@ TEST_F(ObjectCheck, RoomsAndSkies_MayContainTheCamera) {
     EXPECT_FALSE(is_around(Vec3(1, 1, 1)));
     shot_.scene.objects[0].material = "plain";
     EXPECT_TRUE(is_around(Vec3(1, 1, 1)));
+}
+
+TEST_F(ObjectCheck, ObjectsWithHoles_MayContainTheCamera) {
+    render::MaterialDescription basket;
+    basket.name = "basket";
+    add(render::BoxShape{{1, 1, 1}}, Vec3(1, 1, 1)).material = "basket";
+    const auto warns_with = [&](const render::NumberSource& opacity) {
+        basket.surface.opacity = opacity;
+        shot_.scene.materials = {basket};
+        return is_around(Vec3(1, 1, 1));
+    };
+    EXPECT_TRUE(warns_with(1));
+    EXPECT_FALSE(warns_with(0.5));
+    EXPECT_FALSE(warns_with(render::NumberTexture{render::CheckerTexture{}}));
 }
 
 TEST_F(ObjectCheck, MovingObject_IsWhereItsTrackIs) {

@@ -47,16 +47,16 @@ TEST(Materials, Standard_FillsEveryField) {
         "{base: [0.3, 0.1, 0.04], metal: 1, roughness: 0.35, specular: 0.5, sheen: 0.2,\n"
         "  sheen_colour: [0, 1, 0], bump: 0.3, coat: {ior: 1.6, roughness: 0.02}}");
     EXPECT_EQ(std::get<Vec3>(m.base), Vec3(0.3, 0.1, 0.04));
-    EXPECT_EQ(m.metal, 1);
-    EXPECT_EQ(m.roughness, 0.35);
-    EXPECT_EQ(m.specular, 0.5);
-    EXPECT_EQ(m.sheen, 0.2);
+    EXPECT_EQ(m.metal.constant_or(-1), 1);
+    EXPECT_EQ(m.roughness.constant_or(-1), 0.35);
+    EXPECT_EQ(m.specular.constant_or(-1), 0.5);
+    EXPECT_EQ(m.sheen.constant_or(-1), 0.2);
     EXPECT_EQ(m.sheen_colour, Vec3(0, 1, 0));
     EXPECT_EQ(m.bump, 0.3);
-    EXPECT_EQ(m.coat.weight, 1);
+    EXPECT_EQ(m.coat.weight.constant_or(-1), 1);
     EXPECT_EQ(m.coat.ior, 1.6);
-    EXPECT_EQ(m.coat.roughness, 0.02);
-    EXPECT_EQ(read_material("{base: 0.5}").coat.weight, 0);
+    EXPECT_EQ(m.coat.roughness.constant_or(-1), 0.02);
+    EXPECT_EQ(read_material("{base: 0.5}").coat.weight.constant_or(-1), 0);
 }
 
 TEST(Materials, Glass_FillsEveryField) {
@@ -230,7 +230,7 @@ TEST(Materials, Textures_FillEveryField) {
             .base);
     EXPECT_EQ(placed.size, Vec2(0.2, 0.3));
     EXPECT_EQ(placed.offset, Vec2(0.5, 0));
-    EXPECT_NEAR(placed.rotation, std::numbers::pi, 1e-12);
+    EXPECT_NEAR(placed.placement.rotation, std::numbers::pi, 1e-12);
     EXPECT_TRUE(image.is_linear);
     const auto cloth = std::get<render::ClothTexture>(
         read_material("{base: {cloth: {colour: [0, 0.1, 0.3], thread: 1 mm, variation: 0}}}").base);
@@ -340,7 +340,7 @@ TEST(Balls, Colours_FollowTheName) {
     EXPECT_EQ(paint("cue").number, 0);
     EXPECT_EQ(paint("cue").spots, 6);
     EXPECT_EQ(paint("guest").number, 0);
-    EXPECT_EQ(material(shot, "ball/one").coat.weight, 1);
+    EXPECT_EQ(material(shot, "ball/one").coat.weight.constant_or(-1), 1);
 }
 
 TEST(Balls, OtherSets_HaveTheirOwnColours) {

@@ -40,6 +40,9 @@ class Writer {
     }
     void put(const AnnotationTime& value) { out_ << value.seconds << ' ' << value.is_moment; }
     void put(const Aperture& value) { out_ << value.value << ' ' << value.is_f_number; }
+    void put(const render::Placement& value) {
+        out_ << static_cast<int>(value.mapping) << ' ' << value.facing << ' ' << value.rotation;
+    }
     template <class T>
     void put(const std::optional<T>& value) {
         value ? put(*value) : put("none");
@@ -77,19 +80,61 @@ struct ColourWriter {
     Writer& out;
     void operator()(const Vec3& colour) const { out.line(colour); }
     void operator()(const render::ImageTexture& t) const {
-        out.line(t.file, t.scale, t.is_linear, t.size.value_or(Vec2(0, 0)), t.offset, t.rotation);
+        out.line(t.file, t.scale, t.is_linear, t.size, t.offset, t.placement, t.background, t.tint,
+                 t.channel);
     }
     void operator()(const render::BallTexture& t) const {
         out.line(t.colour, t.white, t.striped, t.number, t.disc_radius, t.spots);
     }
     void operator()(const render::ClothTexture& t) const {
-        out.line(t.colour, t.thread, t.variation);
+        out.line(t.colour, t.thread, t.variation, t.placement);
     }
     void operator()(const render::WoodTexture& t) const {
-        out.line(t.light, t.dark, t.ring, t.grain);
+        out.line(t.light, t.dark, t.ring, t.grain, t.placement);
     }
-    void operator()(const render::CheckerTexture& t) const { out.line(t.even, t.odd, t.size); }
+    void operator()(const render::CheckerTexture& t) const {
+        out.line(t.even, t.odd, t.size, t.placement);
+    }
+    void operator()(const std::shared_ptr<const render::MixTexture>& t) const {
+        out.line("mix");
+        std::visit(*this, t->a);
+        std::visit(*this, t->b);
+        (*this)(t->by);
+    }
+    void operator()(const render::NumberTexture& t) const {
+        out.line("range", t.range);
+        std::visit(*this, t.pattern);
+    }
+    void operator()(const render::NumberSource& number) const {
+        if (const render::NumberTexture* texture = number.texture()) {
+            (*this)(*texture);
+        } else {
+            out.line(number.constant_or(0));
+        }
+    }
+    void operator()(const std::monostate& /*no relief*/) const {}
+    void operator()(const render::NormalPicture& t) const {
+        out.line("normal", t.strength);
+        (*this)(t.image);
+    }
+    void operator()(const render::HeightTexture& t) const {
+        out.line("height", t.depth);
+        (*this)(t.number);
+    }
 };
+
+void write_surface(Writer& out, const render::StandardMaterial& s) {
+    const ColourWriter write{out};
+    out.line(s.transmission, s.ior, s.transmission_colour, s.transmission_depth, s.sheen_colour,
+             s.bump, s.coat.ior, s.emission_strength);
+    for (const render::NumberSource* number : {&s.metal, &s.roughness, &s.specular, &s.sheen,
+                                               &s.coat.weight, &s.coat.roughness, &s.opacity}) {
+        write(*number);
+    }
+    std::visit(write, s.base);
+    std::visit(write, s.emission);
+    std::visit(write, s.relief);
+}
 
 struct LightWriter {
     Writer& out;
@@ -151,10 +196,8 @@ void write_scene(Writer& out, const render::SceneDescription& scene) {
         write_shape(out, object.shape);
     }
     for (const render::MaterialDescription& material : scene.materials) {
-        const render::StandardMaterial& s = material.surface;
-        out.line("material", material.name, s.metal, s.roughness, s.specular, s.sheen,
-                 s.sheen_colour, s.bump, s.coat.weight, s.coat.ior, s.coat.roughness);
-        std::visit(ColourWriter{out}, s.base);
+        out.line("material", material.name);
+        write_surface(out, material.surface);
         if (material.phong) {
             const render::PhongMaterial& p = *material.phong;
             out.line("phong", p.ambient.value_or(Vec3(-1, -1, -1)), p.specular, p.shininess,

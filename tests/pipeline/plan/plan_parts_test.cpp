@@ -1,5 +1,6 @@
 // Tests of the parts of a plan that do not need a drawing.
 #include <cmath>
+#include <memory>
 
 #include <gmock/gmock.h>
 
@@ -7,6 +8,7 @@
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/label_placer.h"
 #include "pipeline/plan/motion_phases.h"
+#include "pipeline/plan/plan_colours.h"
 #include "pipeline/plan/sheet.h"
 #include "pipeline/plan/svg_text.h"
 
@@ -27,6 +29,28 @@ TEST(SvgNumber, HasNoNegativeZeroAndNoTrailingZeros) {
     EXPECT_EQ(svg_number(12.5), "12.5");
     EXPECT_EQ(svg_number(-3), "-3");
     EXPECT_EQ(svg_number(100), "100");
+}
+
+TEST(PlanColours, OfAMix_AreMixedAndKeepTheBall) {
+    Shot shot;
+    shot.scene.materials.push_back({"m", {}, {}});
+    const auto paint = [&](const render::MixTexture& mix) {
+        shot.scene.materials[0].surface.base = std::make_shared<const render::MixTexture>(mix);
+        return paint_of_material(shot, "m");
+    };
+    render::MixTexture mix{Vec3(1, 0, 0), Vec3(0, 0, 1), 1.0};
+    EXPECT_EQ(paint(mix).colour, "#0000ff");
+    mix.by = 0;
+    EXPECT_EQ(paint(mix).colour, "#ff0000");
+    mix.by = render::NumberTexture{render::CheckerTexture{}};
+    EXPECT_EQ(paint(mix).colour, "#bc00bc");  // 0.5, sRGB-encoded
+    EXPECT_EQ(paint(mix).number, 0);
+    render::BallTexture ball;
+    ball.number = 9;
+    ball.striped = true;
+    mix.b = ball;
+    EXPECT_EQ(paint(mix).number, 9);
+    EXPECT_TRUE(paint(mix).is_striped);
 }
 
 TEST(Footprint, BoxOnItsCorner_IsItsVerticalProjection) {

@@ -5,6 +5,15 @@
 #include "tests/core/field_changes.h"
 #include "tests/scratch_folder.h"
 
+namespace carom::render {
+
+/// A constant; NumberTextures_ChangeIt has the rest.
+static void change_value(NumberSource& number) {
+    number = number.constant_or(0) + 1;
+}
+
+}  // namespace carom::render
+
 namespace carom::pipeline {
 namespace {
 
@@ -35,6 +44,33 @@ TEST(SceneHash, EveryField_ChangesIt) {
     EXPECT_GT(expect_changes_count(scene.lights[0], hash, file), 50U);
 }
 
+TEST(SceneHash, NumberTextures_ChangeIt) {
+    const ScratchFolder folder;
+    const std::string file = folder.path("picture");
+    write_text(file, "a picture");
+    render::SceneDescription scene = make_scene(render::SphereShape{}, Vec3(1, 1, 1));
+    render::StandardMaterial& surface = scene.materials[0].surface;
+    const auto count = [&](render::NumberSource& number) {
+        const render::NumberSource before = number;
+        render::NumberTexture texture{render::CheckerTexture{}};
+        const auto hash = [&] {
+            number = texture;
+            return hash_scene(scene);
+        };
+        const std::size_t changes = expect_changes_count(texture, hash, file);
+        number = before;
+        return changes;
+    };
+    for (render::NumberSource* number :
+         {&surface.metal, &surface.roughness, &surface.specular, &surface.sheen, &surface.opacity,
+          &surface.coat.weight, &surface.coat.roughness}) {
+        EXPECT_GT(count(*number), 100U);
+    }
+    auto mix = std::make_shared<render::MixTexture>();
+    surface.base = mix;
+    EXPECT_GT(count(mix->by), 100U);
+}
+
 TEST(SceneHash, WhetherAnObjectMoves_ChangesIt) {
     render::SceneDescription scene = make_scene(render::SphereShape{}, Vec3(1, 1, 1));
     const Hash128 still = hash_scene(scene);
@@ -59,8 +95,8 @@ TEST(SceneHash, Files_EnterByTheirContents) {
     write_text(folder.path("b.png"), "one picture");
     write_text(folder.path("c.png"), "another");
     const auto textured = [&](const std::string& name) {
-        return hash_scene(make_scene(render::SphereShape{},
-                                     render::ImageTexture{folder.path(name), {1, 1}, false}));
+        return hash_scene(
+            make_scene(render::SphereShape{}, render::ImageTexture{.file = folder.path(name)}));
     };
     EXPECT_EQ(textured("a.png"), textured("b.png"));
     EXPECT_NE(textured("a.png"), textured("c.png"));
