@@ -43,6 +43,12 @@ std::string pair(const Vec2& v) {
                        usda_number(static_cast<float>(v.y)));
 }
 
+/// A path as USD writes it.
+std::string marked(const std::string& path) {
+    const std::string mark = path.find('@') == std::string::npos ? "@" : "@@@";
+    return mark + path + mark;
+}
+
 /// The index of refraction whose reflectance straight on is `specular` of that of 1.5.
 double ior_of(double specular) {
     const double root = std::sqrt(0.04 * std::clamp(specular, 0.0, 1.0));
@@ -405,10 +411,8 @@ class MaterialWriter {
 }  // namespace
 
 std::string UsdaPictures::asset(const std::string& file) const {
-    std::string path = exported_path(file, folder_);
-    path = path.starts_with("..") || path.starts_with("/") ? path : "./" + path;
-    const std::string mark = path.find('@') == std::string::npos ? "@" : "@@@";
-    return mark + path + mark;
+    const std::string path = exported_path(file, folder_);
+    return marked(path.starts_with("..") || path.starts_with("/") ? path : "./" + path);
 }
 
 UsdaPictures::Made UsdaPictures::made(const std::string& name, const Hash128& hash,
@@ -419,7 +423,7 @@ UsdaPictures::Made UsdaPictures::made(const std::string& name, const Hash128& ha
     }
     EncodedPicture picture = encode(make(), PictureFormat::png);
     const std::string file = names_.unique(name) + ".png";
-    const Made result{"@./" + made_folder_ + "/" + file + "@", picture.alpha};
+    const Made result{marked("./" + made_folder_ + "/" + file), picture.alpha};
     files_.push_back({made_folder_ + "/" + file, std::move(picture.bytes)});
     made_.emplace(hash, result);
     return result;
