@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <ranges>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -47,8 +49,14 @@ concept Sequence = std::ranges::sized_range<const T> && !std::convertible_to<T, 
 
 }  // namespace detail
 
+/// How the file of a path is hashed: by what it holds, or by its path, its time and its size, which
+/// needs no reading.
+enum class FileHash { contents, stamp };
+
 class FieldHasher : public Hasher {
   public:
+    explicit FieldHasher(FileHash files = FileHash::contents) : file_hash_(files) {}
+
     /// Optional values are preceded by a flag that says whether they are present, variants by the
     /// index of their alternative, sequences by their length. Enumerators are hashed as integers,
     /// classes that are not plain structs by hashed_part(value), and all other types by
@@ -113,10 +121,14 @@ class FieldHasher : public Hasher {
         }
     }
 
-    // Hashes the contents, not the path; each file is read once.
+    // Contents are hashed without the path; each file is read once.
     void add_file(const std::string& path) {
         add(!path.empty());
         if (path.empty()) {
+            return;
+        }
+        if (file_hash_ == FileHash::stamp) {
+            add_stamp(path);
             return;
         }
         const auto known = files_.find(path);
@@ -124,6 +136,15 @@ class FieldHasher : public Hasher {
                                   : files_.emplace(path, hash_file(path)).first->second);
     }
 
+    void add_stamp(const std::string& path) {
+        std::error_code code;
+        const auto time = std::filesystem::last_write_time(path, code);
+        add(path).add(code ? std::int64_t{0} : std::int64_t{time.time_since_epoch().count()});
+        const std::uintmax_t size = std::filesystem::file_size(path, code);
+        add(code ? std::uint64_t{0} : std::uint64_t{size});
+    }
+
+    FileHash file_hash_;
     std::map<std::string, Hash128> files_;
 };
 

@@ -1,8 +1,14 @@
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include "core/atomic_file.h"
+#include "core/error.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/named_files.h"
 #include "pipeline/cli/output_file.h"
@@ -78,19 +84,52 @@ pipeline::JsonParts json_parts(const ExportCommand& command) {
     return parts;
 }
 
-std::string tracks_text(const Source& source, Format format, const ExportCommand& command,
-                        const pipeline::JsonParts& parts, const std::string& path) {
+/// A file and those that belong to it.
+struct Output {
+    std::string text;
+    std::vector<pipeline::CompanionFile> companions;
+};
+
+Output tracks_output(const Source& source, Format format, const ExportCommand& command,
+                     const pipeline::JsonParts& parts, const std::string& path) {
     const sim::Timeline& timeline = source.timeline;
     if (format == Format::csv) {
-        return command.rate ? pipeline::samples_to_csv(timeline, *command.rate)
-                            : pipeline::keys_to_csv(timeline);
+        return {command.rate ? pipeline::samples_to_csv(timeline, *command.rate)
+                             : pipeline::keys_to_csv(timeline),
+                {}};
     }
     const pipeline::ExportScene scene = pipeline::export_scene(*source.shot, timeline);
+    if (format == Format::usda) {
+        pipeline::UsdaFiles files = pipeline::scene_to_usda(scene, path);
+        return {std::move(files.text), std::move(files.pictures)};
+    }
     const std::string folder = std::filesystem::path(path).parent_path().string();
-    return format == Format::json
-               ? pipeline::timeline_json(*source.shot, timeline, scene, command.rate, folder, parts)
-           : format == Format::glb ? pipeline::scene_to_glb(scene)
-                                   : pipeline::scene_to_usda(scene, folder);
+    return {format == Format::json ? pipeline::timeline_json(*source.shot, timeline, scene,
+                                                             command.rate, folder, parts)
+                                   : pipeline::scene_to_glb(scene),
+            {}};
+}
+
+/// Writes the files that belong to `path` into folders beside it. All are complete before the first
+/// gets its name.
+void write_companions(const std::string& path,
+                      const std::vector<pipeline::CompanionFile>& companions) {
+    namespace fs = std::filesystem;
+    std::vector<std::unique_ptr<AtomicWriter>> writers;
+    for (const pipeline::CompanionFile& file : companions) {
+        const fs::path place = fs::path(path).parent_path() / file.name;
+        std::error_code error;
+        fs::create_directories(place.parent_path(), error);
+        if (error) {
+            throw Error("cannot make the folder '" + place.parent_path().string() +
+                        "': " + error.message());
+        }
+        writers.push_back(std::make_unique<AtomicWriter>(place.string()));
+        writers.back()->write(file.bytes);
+    }
+    for (const std::unique_ptr<AtomicWriter>& writer : writers) {
+        writer->finish();
+    }
 }
 
 /// Says of what a large file consists, if nothing was left out.
@@ -134,10 +173,11 @@ void run(const ExportCommand& command, CommandContext& context) {
 
     const Source source = read_source(command, format != Format::csv, context);
     if (tracks_wanted) {
-        const std::string text = tracks_text(source, format, command, parts, path);
-        write_text_output(path, text);
+        const Output output = tracks_output(source, format, command, parts, path);
+        write_companions(path, output.companions);
+        write_text_output(path, output.text);
         if (format == Format::json) {
-            advise_on_size(command, text, context.console);
+            advise_on_size(command, output.text, context.console);
         }
     }
     if (!command.events.empty()) {

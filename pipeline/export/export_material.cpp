@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "pipeline/export/textures/texture_coordinates.h"
 
 namespace carom::pipeline {
 
 namespace {
-
-constexpr double kPictureGrey = 0.5;
 
 const render::ColourSource& colour_of(const render::MaterialDescription& material) {
     return material.phong ? material.phong->diffuse : material.surface.base;
@@ -21,26 +24,6 @@ double roughness_of(double shininess) {
 }
 
 }  // namespace
-
-Vec3 plain_colour(const render::ColourSource& source) {
-    struct Visitor {
-        Vec3 operator()(const Vec3& colour) const { return colour; }
-        Vec3 operator()(const render::ImageTexture&) const { return Vec3(kPictureGrey); }
-        Vec3 operator()(const render::BallTexture& ball) const { return ball.colour; }
-        Vec3 operator()(const render::ClothTexture& cloth) const { return cloth.colour; }
-        Vec3 operator()(const render::WoodTexture& wood) const {
-            return (wood.light + wood.dark) / 2;
-        }
-        Vec3 operator()(const render::CheckerTexture& checker) const {
-            return (checker.even + checker.odd) / 2;
-        }
-        Vec3 operator()(const std::shared_ptr<const render::MixTexture>& mix) const {
-            const double by = mix->by.constant_or(0.5);
-            return plain_colour(mix->a) * (1 - by) + plain_colour(mix->b) * by;
-        }
-    };
-    return std::visit(Visitor{}, source);
-}
 
 ExportMaterial plain_material(const render::MaterialDescription& material) {
     ExportMaterial result;
@@ -56,13 +39,48 @@ ExportMaterial plain_material(const render::MaterialDescription& material) {
         return result;
     }
     const render::StandardMaterial& surface = material.surface;
-    result.metal = surface.metal.constant_or(0);
-    result.roughness = surface.roughness.constant_or(0.5);
+    result.metal = plain_number(surface.metal);
+    result.roughness = plain_number(surface.roughness);
     result.transmission = surface.transmission;
     result.ior = surface.ior;
-    result.coat = surface.coat.weight.constant_or(0);
-    result.coat_roughness = surface.coat.roughness.constant_or(0);
+    result.coat = plain_number(surface.coat.weight);
+    result.coat_roughness = plain_number(surface.coat.roughness);
     result.emission = plain_colour(surface.emission) * surface.emission_strength;
+    result.specular = plain_number(surface.specular);
+    result.sheen = surface.sheen_colour * plain_number(surface.sheen);
+    result.opacity = plain_number(surface.opacity);
+    return result;
+}
+
+MaterialTextures material_textures(const render::MaterialDescription& material) {
+    render::StandardMaterial surface = material.surface;
+    if (material.phong) {
+        surface = render::StandardMaterial{};
+        surface.base = material.phong->diffuse;
+    }
+    MaterialTextures result;
+    const auto add = [&](const auto& source) {
+        std::vector<PlacedTexture> textures;
+        add_textures(source, textures);
+        const std::optional<PlacedTexture> shared = shared_texture(textures);
+        if (shared && std::ranges::find(result.places, shared->place) == result.places.end() &&
+            result.places.size() < kMostTexturePlaces) {
+            result.places.push_back(shared->place);
+        }
+    };
+    add(surface.base);
+    add(surface.opacity);
+    add(surface.roughness);
+    add(surface.metal);
+    add(surface.relief);
+    add(surface.emission);
+    add(surface.specular);
+    add(surface.sheen);
+    add(surface.coat.weight);
+    add(surface.coat.roughness);
+    if (!result.places.empty()) {
+        result.surface = std::make_shared<const render::StandardMaterial>(std::move(surface));
+    }
     return result;
 }
 

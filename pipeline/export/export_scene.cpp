@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <system_error>
+#include <utility>
 
 #include <Imath/ImathBox.h>
 #include <Imath/ImathMatrixAlgo.h>
@@ -17,6 +18,7 @@
 #include "pipeline/camera/time_map.h"
 #include "pipeline/export/export_material.h"
 #include "pipeline/export/object_pose.h"
+#include "pipeline/export/object_textures.h"
 #include "pipeline/export/painted_sphere.h"
 #include "pipeline/export/shape_mesh.h"
 #include "render/geometry/smooth_normals.h"
@@ -61,11 +63,19 @@ class SceneBuilder {
         }
     }
 
-    /// The index of the material in the list; each material is added once.
-    std::size_t material(const ExportMaterial& material) {
-        const auto [known, is_new] = materials_.try_emplace(material.name, scene_.materials.size());
+    /// The index of the material in the list. Each material is added once, or once for each size of
+    /// its relief.
+    std::size_t material(ExportMaterial material, MaterialTextures textures = {}) {
+        const Vec2 lengths = textures.relief_lengths;
+        std::map<std::pair<double, double>, std::size_t>& sizes = materials_[material.name];
+        const auto [known, is_new] =
+            sizes.try_emplace({lengths.x, lengths.y}, scene_.materials.size());
         if (is_new) {
-            scene_.materials.push_back(material);
+            if (sizes.size() > 1) {
+                material.name += " " + std::to_string(sizes.size());
+            }
+            scene_.materials.push_back(std::move(material));
+            scene_.textures.push_back(std::move(textures));
         }
         return known->second;
     }
@@ -93,22 +103,41 @@ class SceneBuilder {
         }
         const auto* sphere = std::get_if<render::SphereShape>(&object.shape);
         const render::BallTexture* paint = ball_paint(description);
+        Mat44 object_from_mesh = body_from_object.inverse();
+        const auto textures = [&] {
+            return lay_textures(part, material_textures(description), object, object_from_mesh,
+                                timeline_ != nullptr);
+        };
         if (sphere != nullptr && paint != nullptr) {
-            add_ball(part, *sphere, *paint, plain_material(description), body_from_object);
+            PaintedSphere ball = painted_sphere(*paint);
+            for (Vec3& vertex : ball.mesh.vertices) {
+                vertex *= sphere->radius;
+            }
+            add_mesh(part, ball.mesh, body_from_object);
+            add_fields(part, ball.fields, plain_material(description), textures());
         } else {
             render::MeshShape mesh = shape_mesh(object.shape);
             if (timeline_ != nullptr) {
-                centre_far_mesh(part, object.track.empty(), mesh, body_from_object);
+                const Vec3 moved =
+                    centre_far_mesh(part, object.track.empty(), mesh, body_from_object);
+                object_from_mesh = body_from_object.inverse() * translation(moved);
             }
             add_mesh(part, mesh, body_from_object);
-            part.patches = {{0, part.mesh.triangles.size(), material(plain_material(description))}};
+            const std::size_t look = material(plain_material(description), textures());
+            part.patches = {{0, part.mesh.triangles.size(), look}};
         }
         scene_.parts.push_back(std::move(part));
     }
 
+    static Mat44 translation(const Vec3& by) {
+        Mat44 map;
+        map.setTranslation(by);
+        return map;
+    }
+
     /// Moves a mesh that is far from the body's origin there. Far: 100 times its size or 10 km,
-    /// where floats are 1 mm apart.
-    static void centre_far_mesh(ExportPart& part, bool is_static, render::MeshShape& mesh,
+    /// where floats are 1 mm apart. Returns what was subtracted from its vertices.
+    static Vec3 centre_far_mesh(ExportPart& part, bool is_static, render::MeshShape& mesh,
                                 Mat44& body_from_object) {
         Imath::Box3d box;
         for (const Vec3& vertex : mesh.vertices) {
@@ -117,7 +146,7 @@ class SceneBuilder {
         const Vec3 centre = box.isEmpty() ? Vec3(0, 0, 0) : box.center();
         const double size = box.isEmpty() ? 0 : box.size().length();
         if (centre.length() <= size || centre.length() <= std::min(100 * size, 10'000.0)) {
-            return;
+            return {0, 0, 0};
         }
         // Moving the vertices in double first keeps all their digits.
         const Vec3 in_object = centre * body_from_object.inverse();
@@ -132,6 +161,7 @@ class SceneBuilder {
         } else {
             part.origin = origin;
         }
+        return in_object;
     }
 
     static void add_mesh(ExportPart& part, const render::MeshShape& shape, const Mat44& map) {
@@ -146,22 +176,25 @@ class SceneBuilder {
         }
     }
 
-    /// Adds a ball whose surface is divided into fields of one colour each.
-    void add_ball(ExportPart& part, const render::SphereShape& shape,
-                  const render::BallTexture& paint, const ExportMaterial& plain, const Mat44& map) {
-        PaintedSphere sphere = painted_sphere(paint);
+    /// Gives the fields of one colour each, into which a ball's surface is divided, their
+    /// materials.
+    void add_fields(ExportPart& part, const std::vector<PaintedSphere::Field>& fields,
+                    const ExportMaterial& plain, const MaterialTextures& textures) {
         std::size_t first = 0;
-        for (const PaintedSphere::Field& field : sphere.fields) {
-            ExportMaterial colour = plain;
-            colour.name += (field.name.empty() ? "" : " ") + field.name;
-            colour.base = field.colour;
-            part.patches.push_back({first, field.triangles, material(colour)});
+        for (const PaintedSphere::Field& field : fields) {
+            ExportMaterial look = plain;
+            look.name += (field.name.empty() ? "" : " ") + field.name;
+            look.base = field.colour;
+            MaterialTextures of_field = textures;
+            if (textures.surface) {
+                render::StandardMaterial surface = *textures.surface;
+                surface.base = field.colour;
+                of_field.surface = std::make_shared<const render::StandardMaterial>(surface);
+            }
+            part.patches.push_back(
+                {first, field.triangles, material(std::move(look), std::move(of_field))});
             first += field.triangles;
         }
-        for (Vec3& vertex : sphere.mesh.vertices) {
-            vertex *= shape.radius;
-        }
-        add_mesh(part, sphere.mesh, map);
     }
 
     void add_lamp(const render::LightDescription& light) {
@@ -184,7 +217,8 @@ class SceneBuilder {
         } else {
             return;
         }
-        part.patches = {{0, part.mesh.triangles.size(), material(glow)}};
+        part.mesh.uv.clear();
+        part.patches = {{0, part.mesh.triangles.size(), material(std::move(glow))}};
         scene_.lamps.push_back(std::move(part));
     }
 
@@ -225,7 +259,7 @@ class SceneBuilder {
     const sim::Timeline* timeline_;
     ExportScene scene_;
     std::map<std::string, const render::MaterialDescription*> descriptions_;
-    std::map<std::string, std::size_t> materials_;
+    std::map<std::string, std::map<std::pair<double, double>, std::size_t>> materials_;
 };
 
 }  // namespace

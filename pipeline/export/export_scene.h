@@ -1,11 +1,13 @@
 // A shot and its timeline in the terms of interchange formats: triangles, simple materials, keys.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "pipeline/export/linear_keys.h"
+#include "pipeline/export/textures/texture_place.h"
 #include "pipeline/shot/shot.h"
 #include "render/camera/camera_state.h"
 #include "render/geometry/triangle_mesh.h"
@@ -14,7 +16,7 @@
 namespace carom::pipeline {
 
 /// A material of one colour. It replaces a texture by the ball's colour, the cloth's colour or the
-/// mean colour of wood.
+/// mean colour of wood; pictures, which MaterialTextures has, by grey.
 struct ExportMaterial {
     std::string name;
     Vec3 base{0.8, 0.8, 0.8};  // linear
@@ -25,6 +27,16 @@ struct ExportMaterial {
     double coat = 0;  // weight
     double coat_roughness = 0;
     Vec3 emission{0, 0, 0};
+    double specular = 1;  // weight of the highlight of what is no metal
+    Vec3 sheen{0, 0, 0};  // its colour times its weight
+    double opacity = 1;
+};
+
+/// The pictures and flat patterns of a material.
+struct MaterialTextures {
+    std::shared_ptr<const render::StandardMaterial> surface;  // null: there is none
+    std::vector<TexturePlace> places;  // in the order of the coordinates of meshes
+    Vec2 relief_lengths{1, 1};         // over which coordinates of the relief grow by 1, m
 };
 
 /// The triangles [first, first + count) of a mesh, which have one material.
@@ -40,7 +52,10 @@ struct ExportPart {
     /// In body axes, m; not zero for a mesh far from it whose coordinates, as those of maps, would
     /// lose their last digits as floats. Of a static object it is in the position of the key.
     Vec3 origin{0, 0, 0};
-    render::TriangleMesh mesh;  // normals of unit length, or none
+    render::TriangleMesh mesh;  // normals of unit length, or none; without uv
+    /// Of textures, with v up: one list for each place of its materials, with one entry per vertex.
+    /// An object without textures may have its uv.
+    std::vector<std::vector<Imath::V2f>> coordinates;
     std::vector<ExportPatch> patches;
     LinearKeys keys;  // a single key: the object is static
 };
@@ -68,6 +83,7 @@ struct ExportScene {
     double fps = 24;
     double aspect = 16.0 / 9;  // width divided by height of the picture
     std::vector<ExportMaterial> materials;
+    std::vector<MaterialTextures> textures;  // of each material
     std::vector<ExportPart> parts;
     std::vector<ExportPart> lamps;  // area lights, as emitting meshes
     std::vector<ExportCamera> cameras;
@@ -84,7 +100,8 @@ struct CameraAxes {
 
 /// The meshes of the shot without poses, motion, cameras and lights that have no surface, for a
 /// viewer that moves them itself: every part is at the origin, unrotated. They stay the same when
-/// objects are moved. Throws Error if a mesh file cannot be read.
+/// objects are moved. Only objects with textures have coordinates. Throws Error if a mesh file
+/// cannot be read.
 [[nodiscard]] ExportScene export_meshes(const Shot& shot);
 
 /// Throws Error if a mesh file cannot be read, a camera is invalid, or an object needs more than

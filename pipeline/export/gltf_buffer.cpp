@@ -34,7 +34,7 @@ std::size_t padding(std::size_t size) {
 }
 
 std::size_t components_of(std::string_view type) {
-    return type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4;
+    return type == "SCALAR" ? 1 : type == "VEC2" ? 2 : type == "VEC3" ? 3 : 4;
 }
 
 }  // namespace
@@ -61,6 +61,13 @@ std::size_t GltfBuffer::add_indices(std::span<const std::uint32_t> indices) {
         bytes_of(indices),
         {{"componentType", kUnsignedInt}, {"count", indices.size()}, {"type", "SCALAR"}},
         Use::indices);
+}
+
+std::size_t GltfBuffer::add_bytes(std::span<const std::byte> file) {
+    views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", file.size()}});
+    bytes_ += bytes_of(file);
+    bytes_.append(padding(bytes_.size()), '\0');  // numbers that follow are at multiples of four
+    return views_.size() - 1;
 }
 
 std::size_t GltfBuffer::add_accessor(std::string_view bytes, nlohmann::ordered_json accessor,

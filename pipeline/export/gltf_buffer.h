@@ -16,10 +16,13 @@ class GltfBuffer {
   public:
     enum class Use { vertices, indices, keys };
 
-    /// `type`: "SCALAR", "VEC3", "VEC4". Returns the index of the accessor, which always has
-    /// bounds.
+    /// `type`: "SCALAR", "VEC2", "VEC3", "VEC4". Returns the index of the accessor, which always
+    /// has bounds.
     [[nodiscard]] std::size_t add(std::span<const float> values, std::string_view type, Use use);
     [[nodiscard]] std::size_t add_indices(std::span<const std::uint32_t> indices);
+
+    /// Stores a file. Returns the index of its view.
+    [[nodiscard]] std::size_t add_bytes(std::span<const std::byte> file);
 
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
     [[nodiscard]] const nlohmann::ordered_json& views() const { return views_; }

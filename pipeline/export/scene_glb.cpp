@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/export/gltf_buffer.h"
+#include "pipeline/export/gltf_materials.h"
 
 namespace carom::pipeline {
 
@@ -46,48 +47,15 @@ std::array<float, 4> floats(const Quat& q) {
             static_cast<float>(unit.v.z), static_cast<float>(unit.r)};
 }
 
-bool has_any(const Vec3& v) {
-    return v.x > 0 || v.y > 0 || v.z > 0;
-}
-
-Json material_json(const ExportMaterial& material, std::set<std::string>& extensions) {
-    const Vec3& base = material.base;
-    Json result{{"name", material.name},
-                {"pbrMetallicRoughness",
-                 {{"baseColorFactor", {base.x, base.y, base.z, 1}},
-                  {"metallicFactor", material.metal},
-                  {"roughnessFactor", material.roughness}}},
-                {"doubleSided", true}};
-    const auto extend = [&](const char* name, Json values) {
-        result["extensions"][name] = std::move(values);
-        extensions.insert(name);
-    };
-    if (material.coat > 0) {
-        extend("KHR_materials_clearcoat", {{"clearcoatFactor", material.coat},
-                                           {"clearcoatRoughnessFactor", material.coat_roughness}});
-    }
-    if (material.transmission > 0) {
-        extend("KHR_materials_transmission", {{"transmissionFactor", material.transmission}});
-        extend("KHR_materials_ior", {{"ior", material.ior}});
-    }
-    if (has_any(material.emission)) {
-        const Vec3& e = material.emission;
-        const double strength = std::max({1.0, e.x, e.y, e.z});
-        result["emissiveFactor"] = {e.x / strength, e.y / strength, e.z / strength};
-        if (strength > 1) {
-            extend("KHR_materials_emissive_strength", {{"emissiveStrength", strength}});
-        }
-    }
-    return result;
-}
-
 class GlbWriter {
   public:
-    explicit GlbWriter(const ExportScene& scene) : scene_(scene) {}
+    GlbWriter(const ExportScene& scene, PictureStore& pictures)
+        : scene_(scene), pictures_(pictures) {}
 
     std::string run() {
-        for (const ExportMaterial& material : scene_.materials) {
-            materials_.push_back(material_json(material, extensions_));
+        for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+            materials_.push_back(gltf_material(scene_.materials[i], scene_.textures[i], textures_,
+                                               pictures_, extensions_));
         }
         for (const ExportPart& part : scene_.parts) {
             add_part(part);
@@ -120,6 +88,9 @@ class GlbWriter {
         if (!normals.empty()) {
             attributes["NORMAL"] = buffer_.add(normals, "VEC3", GltfBuffer::Use::vertices);
         }
+        for (std::size_t i = 0; i < part.coordinates.size(); ++i) {
+            attributes["TEXCOORD_" + std::to_string(i)] = add_coordinates(part.coordinates[i]);
+        }
         Json primitives = Json::array();
         for (const ExportPatch& patch : part.patches) {
             std::vector<std::uint32_t> indices;
@@ -142,6 +113,15 @@ class GlbWriter {
                           {"mesh", meshes_.size() - 1},
                           {"translation", list(y_up(part.origin))}});
         children_.insert(nodes_.size() - 1);
+    }
+
+    /// In the file v runs down.
+    std::size_t add_coordinates(const std::vector<Imath::V2f>& coordinates) {
+        std::vector<float> numbers;
+        for (const Imath::V2f& c : coordinates) {
+            numbers.insert(numbers.end(), {c.x, 1 - c.y});
+        }
+        return buffer_.add(numbers, "VEC2", GltfBuffer::Use::vertices);
     }
 
     /// Adds a camera whose position and orientation follow scene time. glTF cannot animate the
@@ -267,6 +247,9 @@ class GlbWriter {
         add("nodes", std::move(nodes_));
         add("cameras", std::move(cameras_));
         add("materials", std::move(materials_));
+        add("textures", textures_.textures());
+        add("images", textures_.images());
+        add("samplers", textures_.samplers());
         add("meshes", std::move(meshes_));
         if (!lights_.empty()) {
             document["extensions"] = {{"KHR_lights_punctual", {{"lights", std::move(lights_)}}}};
@@ -284,8 +267,10 @@ class GlbWriter {
     }
 
     const ExportScene& scene_;
+    PictureStore& pictures_;
     GltfBuffer buffer_;
     std::set<std::string> extensions_;
+    GltfTextures textures_{buffer_, pictures_, extensions_};
     std::set<std::size_t> children_;  // nodes below another one
     Json nodes_ = Json::array();
     Json cameras_ = Json::array();
@@ -298,8 +283,13 @@ class GlbWriter {
 
 }  // namespace
 
+std::string scene_to_glb(const ExportScene& scene, PictureStore& pictures) {
+    return GlbWriter(scene, pictures).run();
+}
+
 std::string scene_to_glb(const ExportScene& scene) {
-    return GlbWriter(scene).run();
+    PictureStore pictures;
+    return scene_to_glb(scene, pictures);
 }
 
 }  // namespace carom::pipeline

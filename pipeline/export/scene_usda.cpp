@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "pipeline/export/usda_materials.h"
 #include "pipeline/export/usda_text.h"
 
 namespace carom::pipeline {
@@ -41,10 +43,10 @@ std::string index_text(std::uint32_t index) {
 
 class UsdaWriter {
   public:
-    UsdaWriter(const ExportScene& scene, std::string folder)
-        : scene_(scene), folder_(std::move(folder)) {}
+    UsdaWriter(const ExportScene& scene, const std::string& path)
+        : scene_(scene), assets_(folder_of(path), pictures_of(path)) {}
 
-    std::string run() {
+    UsdaFiles run() {
         write_head();
         text_.open("def Xform \"shot\"", {display_name(scene_.name)});
         write_materials();
@@ -58,10 +60,18 @@ class UsdaWriter {
             write_light(light);
         }
         text_.close();
-        return text_.finish();
+        return {text_.finish(), assets_.take_files()};
     }
 
   private:
+    static std::string folder_of(const std::string& path) {
+        return std::filesystem::path(path).parent_path().string();
+    }
+    static std::string pictures_of(const std::string& path) {
+        const std::string name = std::filesystem::path(path).stem().string();
+        return (name.empty() ? "scene" : name) + "_textures";
+    }
+
     [[nodiscard]] double code(double scene_time) const { return scene_time * scene_.fps; }
 
     void write_head() {
@@ -140,25 +150,13 @@ class UsdaWriter {
     void write_materials() {
         text_.open("def Scope \"" + names_.unique("materials") + "\"");
         UsdaNames names;
-        for (const ExportMaterial& material : scene_.materials) {
+        PictureStore store;
+        for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+            const ExportMaterial& material = scene_.materials[i];
             material_names_.push_back(names.unique(material.name));
-            const std::string path = path_of(material_names_.size() - 1);
-            const std::string surface = path.substr(0, path.size() - 1) + "/surface";
             text_.open("def Material \"" + material_names_.back() + "\"",
                        {display_name(material.name)});
-            text_.line("token outputs:surface.connect = " + surface + ".outputs:surface>");
-            text_.open("def Shader \"surface\"");
-            text_.line("uniform token info:id = \"UsdPreviewSurface\"");
-            text_.line("color3f inputs:diffuseColor = " + usda_tuple(material.base));
-            text_.line("color3f inputs:emissiveColor = " + usda_tuple(material.emission));
-            number("inputs:metallic", material.metal);
-            number("inputs:roughness", material.roughness);
-            number("inputs:clearcoat", material.coat);
-            number("inputs:clearcoatRoughness", material.coat_roughness);
-            number("inputs:opacity", 1 - 0.9 * material.transmission);
-            number("inputs:ior", material.ior);
-            text_.line("token outputs:surface");
-            text_.close();
+            write_usda_material(text_, path_of(i), material, scene_.textures[i], assets_, store);
             text_.close();
         }
         text_.close();
@@ -176,6 +174,14 @@ class UsdaWriter {
         text_.line("point3f[] points = " + array_of(part.mesh.vertices, point));
         if (!part.mesh.normals.empty()) {
             text_.line("normal3f[] normals = " + array_of(part.mesh.normals, point),
+                       {"interpolation = \"vertex\""});
+        }
+        for (std::size_t i = 0; i < part.coordinates.size(); ++i) {
+            const auto pair = [](const Imath::V2f& c) {
+                return fmt::format("({}, {})", usda_number(c.x), usda_number(c.y));
+            };
+            text_.line("texCoord2f[] primvars:" + usda_coordinates(i) + " = " +
+                           array_of(part.coordinates[i], pair),
                        {"interpolation = \"vertex\""});
         }
         const std::vector<std::uint32_t> threes(part.mesh.triangles.size(), 3);
@@ -278,7 +284,7 @@ class UsdaWriter {
         }
         open_light("DomeLight", light.name, room.radiance);
         if (!room.image.empty()) {
-            text_.line("asset inputs:texture:file = " + asset_path(room.image));
+            text_.line("asset inputs:texture:file = " + assets_.asset(room.image));
             text_.line("token inputs:texture:format = \"latlong\"");
         }
         // A UsdLux dome's image has Y up and +z in the middle; carom's has Z up and +x in the
@@ -288,14 +294,6 @@ class UsdaWriter {
         turn.setAxisAngle(Vec3(0, 0, 1), room.rotation);
         write_place({0, 0, 0}, turn * x_y_z_to_y_z_x);
         return true;
-    }
-
-    /// USD takes paths that begin with "./" or "../" as relative to the file.
-    [[nodiscard]] std::string asset_path(const std::string& file) const {
-        std::string path = exported_path(file, folder_);
-        path = path.starts_with("..") || path.starts_with("/") ? path : "./" + path;
-        const std::string mark = path.find('@') == std::string::npos ? "@" : "@@@";
-        return mark + path + mark;
     }
 
     static Quat light_rotation(const Vec3& direction) {
@@ -313,7 +311,7 @@ class UsdaWriter {
     }
 
     const ExportScene& scene_;
-    std::string folder_;  // of the file
+    UsdaPictures assets_;
     UsdaText text_;
     UsdaNames names_;
     std::vector<std::string> material_names_;
@@ -321,8 +319,8 @@ class UsdaWriter {
 
 }  // namespace
 
-std::string scene_to_usda(const ExportScene& scene, const std::string& folder) {
-    return UsdaWriter(scene, folder).run();
+UsdaFiles scene_to_usda(const ExportScene& scene, const std::string& path) {
+    return UsdaWriter(scene, path).run();
 }
 
 }  // namespace carom::pipeline

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/elementary.h"
+#include "pipeline/export/textures/globe.h"
+#include "pipeline/export/textures/split_vertices.h"
 #include "render/geometry/mesh_file.h"
 
 namespace carom::pipeline {
@@ -19,18 +21,27 @@ constexpr std::uint32_t kSides = 64;
 constexpr std::uint32_t kRings = 32;  // of a sphere, from pole to pole
 constexpr double kPlaneSize = 40;     // m
 
+/// uv of a point in a square or on a side of a box around the origin, whose sides have these
+/// lengths.
+Vec2 across_face(double x, double width, double y, double height) {
+    return {x / width + 0.5, y / height + 0.5};
+}
+
 Vec3 around(std::uint32_t side) {
     const double angle = 2 * std::numbers::pi * side / kSides;
     return {cosine(angle), sine(angle), 0};
 }
 
-/// Adds a flat polygon with its own vertices, counter-clockwise seen from its front.
-void add_polygon(MeshShape& mesh, const std::vector<Vec3>& corners) {
+/// Adds a flat polygon with its own vertices, counter-clockwise seen from its front. `uv_of` a
+/// corner, given its index.
+template <class UvOf>
+void add_polygon(MeshShape& mesh, const std::vector<Vec3>& corners, UvOf uv_of) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-    for (const Vec3& corner : corners) {
-        mesh.vertices.push_back(corner);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        mesh.vertices.push_back(corners[i]);
         mesh.normals.push_back(normal);
+        mesh.uv.push_back(uv_of(i));
     }
     for (std::uint32_t i = 2; i < corners.size(); ++i) {
         mesh.triangles.push_back({first, first + i - 1, first + i});
@@ -40,62 +51,104 @@ void add_polygon(MeshShape& mesh, const std::vector<Vec3>& corners) {
 MeshShape box_mesh(const Vec3& size) {
     MeshShape mesh;
     for (int axis = 0; axis < 3; ++axis) {
+        const int a = (axis + 1) % 3;
+        const int b = (axis + 2) % 3;
         for (const double side : {-1.0, 1.0}) {
             Vec3 out(0, 0, 0);
             Vec3 u(0, 0, 0);
             Vec3 v(0, 0, 0);
             out[axis] = side * size[axis] / 2;
-            u[(axis + 1) % 3] = side * size[(axis + 1) % 3] / 2;
-            v[(axis + 2) % 3] = size[(axis + 2) % 3] / 2;
-            add_polygon(mesh, {out - u - v, out + u - v, out + u + v, out - u + v});
+            u[a] = side * size[a] / 2;
+            v[b] = size[b] / 2;
+            const std::vector<Vec3> corners{out - u - v, out + u - v, out + u + v, out - u + v};
+            add_polygon(mesh, corners, [&](std::size_t i) {
+                return across_face(corners[i][a], size[a], corners[i][b], size[b]);
+            });
         }
     }
     return mesh;
 }
 
+std::vector<Vec3> rectangle(double x, double y) {
+    return {{-x / 2, -y / 2, 0}, {x / 2, -y / 2, 0}, {x / 2, y / 2, 0}, {-x / 2, y / 2, 0}};
+}
+
 MeshShape rectangle_mesh(double x, double y) {
     MeshShape mesh;
-    add_polygon(mesh,
-                {{-x / 2, -y / 2, 0}, {x / 2, -y / 2, 0}, {x / 2, y / 2, 0}, {-x / 2, y / 2, 0}});
+    const std::vector<Vec3> corners = rectangle(x, y);
+    add_polygon(mesh, corners,
+                [&](std::size_t i) { return across_face(corners[i].x, x, corners[i].y, y); });
     return mesh;
 }
 
-void add_disk(MeshShape& mesh, double radius, double z, bool faces_up) {
+MeshShape plane_mesh() {
+    MeshShape mesh;
+    const std::vector<Vec3> corners = rectangle(kPlaneSize, kPlaneSize);
+    add_polygon(mesh, corners, [&](std::size_t i) { return Vec2(corners[i].x, corners[i].y); });
+    return mesh;
+}
+
+/// `of_square`: radius of the circle whose bounding square uv go across.
+void add_disk(MeshShape& mesh, double radius, double of_square, double z, bool faces_up) {
     std::vector<Vec3> rim;
     for (std::uint32_t i = 0; i < kSides; ++i) {
         rim.push_back(radius * around(faces_up ? i : kSides - i) + Vec3(0, 0, z));
     }
-    add_polygon(mesh, rim);
+    add_polygon(mesh, rim, [&](std::size_t i) {
+        return across_face(rim[i].x, 2 * of_square, rim[i].y, 2 * of_square);
+    });
+}
+
+/// One end of the side of a frustum: a vertex per side of the round, and the first again at the
+/// seam.
+void add_end(MeshShape& mesh, double radius, double z, const Vec3& rise, double v) {
+    for (std::uint32_t i = 0; i <= kSides; ++i) {
+        // A tip belongs to the triangle between this side and the next.
+        const double turns = (i + (radius > 0 ? 0 : 0.5)) / kSides;
+        mesh.vertices.push_back(radius * around(i) + Vec3(0, 0, z));
+        mesh.normals.push_back((around(i) + rise).normalized());
+        mesh.uv.emplace_back(turns, v);
+    }
 }
 
 /// A frustum with radius `bottom` at -height / 2 and `top` at height / 2; a radius of 0 gives a
 /// tip.
 MeshShape frustum_mesh(double bottom, double top, double height) {
+    constexpr std::uint32_t kColumns = kSides + 1;
     MeshShape mesh;
     const Vec3 rise(0, 0, (bottom - top) / height);
-    for (const double end : {-1.0, 1.0}) {
-        for (std::uint32_t i = 0; i < kSides; ++i) {
-            mesh.vertices.push_back((end < 0 ? bottom : top) * around(i) +
-                                    Vec3(0, 0, end * height / 2));
-            mesh.normals.push_back((around(i) + rise).normalized());
-        }
-    }
+    add_end(mesh, bottom, -height / 2, rise, 0);
+    add_end(mesh, top, height / 2, rise, 1);
     for (std::uint32_t i = 0; i < kSides; ++i) {
-        const std::uint32_t next = (i + 1) % kSides;
+        const std::uint32_t above = kColumns + i;
         if (bottom > 0) {
-            mesh.triangles.push_back({i, next, kSides + next});
+            mesh.triangles.push_back({i, i + 1, top > 0 ? above + 1 : above});
         }
         if (top > 0) {
-            mesh.triangles.push_back({i, kSides + next, kSides + i});
+            mesh.triangles.push_back({i, above + 1, above});
         }
     }
+    const double larger = std::max(bottom, top);
     if (bottom > 0) {
-        add_disk(mesh, bottom, -height / 2, false);
+        add_disk(mesh, bottom, larger, -height / 2, false);
     }
     if (top > 0) {
-        add_disk(mesh, top, height / 2, true);
+        add_disk(mesh, top, larger, height / 2, true);
     }
     return mesh;
+}
+
+/// Gives a mesh around the z axis the longitudes of its normals as u. `v_of` a vertex.
+template <class VOf>
+void add_round_uv(MeshShape& mesh, VOf v_of) {
+    std::vector<std::array<Vec2, 3>> corners;
+    for (const auto& triangle : mesh.triangles) {
+        const std::array<double, 3> u = longitudes(
+            {mesh.normals[triangle[0]], mesh.normals[triangle[1]], mesh.normals[triangle[2]]});
+        corners.push_back({Vec2(u[0], v_of(triangle[0])), Vec2(u[1], v_of(triangle[1])),
+                           Vec2(u[2], v_of(triangle[2]))});
+    }
+    mesh.uv = split_vertices(mesh, corners);
 }
 
 /// A sphere cut at its equator, with one half at each end. The vertices of the equator exist twice,
@@ -130,6 +183,12 @@ MeshShape capsule_mesh(double radius, double length) {
         mesh.triangles.push_back({equator + i, equator + next, split + next});
         mesh.triangles.push_back({equator + i, split + next, split + i});
     }
+    // v is the length along the surface from the lower pole.
+    const double arc = std::numbers::pi * radius;
+    add_round_uv(mesh, [&](std::uint32_t i) {
+        const double straight = mesh.vertices[i].z > 0 ? length : 0;
+        return (arc * latitude(mesh.normals[i]) + straight) / (arc + length);
+    });
     return mesh;
 }
 
@@ -175,6 +234,8 @@ void add_rounded_face(MeshShape& mesh, const render::RoundedBoxShape& box, int a
             corner[v] = j.side * core[v];
             mesh.vertices.push_back(corner + box.radius * normal);
             mesh.normals.push_back(normal);
+            mesh.uv.push_back(across_face(mesh.vertices.back()[u], box.size[u],
+                                          mesh.vertices.back()[v], box.size[v]));
         }
     }
     const auto width = static_cast<std::uint32_t>(across.size());
@@ -192,12 +253,11 @@ struct MeshOf {
         for (Vec3& vertex : mesh.vertices) {
             vertex *= sphere.radius;
         }
+        add_round_uv(mesh, [&](std::uint32_t i) { return latitude(mesh.normals[i]); });
         return mesh;
     }
     MeshShape operator()(const render::BoxShape& box) const { return box_mesh(box.size); }
-    MeshShape operator()(const render::PlaneShape&) const {
-        return rectangle_mesh(kPlaneSize, kPlaneSize);
-    }
+    MeshShape operator()(const render::PlaneShape&) const { return plane_mesh(); }
     MeshShape operator()(const render::RectangleShape& rectangle) const {
         return rectangle_mesh(rectangle.size.x, rectangle.size.y);
     }
@@ -211,18 +271,21 @@ struct MeshOf {
     }
     MeshShape operator()(const render::TriangleShape& triangle) const {
         MeshShape mesh;
-        add_polygon(mesh, {triangle.corners.begin(), triangle.corners.end()});
+        add_polygon(mesh, {triangle.corners.begin(), triangle.corners.end()},
+                    [](std::size_t i) { return Vec2(i == 1, i == 2); });
         return mesh;
     }
     MeshShape operator()(const render::ParallelogramShape& p) const {
         MeshShape mesh;
-        add_polygon(mesh, {p.corner, p.corner + p.edge_u, p.corner + p.edge_u + p.edge_v,
-                           p.corner + p.edge_v});
+        add_polygon(
+            mesh,
+            {p.corner, p.corner + p.edge_u, p.corner + p.edge_u + p.edge_v, p.corner + p.edge_v},
+            [](std::size_t i) { return Vec2(i == 1 || i == 2, i >= 2); });
         return mesh;
     }
     MeshShape operator()(const render::DiskShape& disk) const {
         MeshShape mesh;
-        add_disk(mesh, disk.radius, 0, true);
+        add_disk(mesh, disk.radius, disk.radius, 0, true);
         return mesh;
     }
     MeshShape operator()(const render::CylinderShape& cylinder) const {

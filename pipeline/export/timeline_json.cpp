@@ -16,7 +16,9 @@ constexpr auto fields_of(Describes<ExportMaterial>) {
     return fields<T>(field("name", &T::name), field("base", &T::base), field("metal", &T::metal),
                      field("roughness", &T::roughness), field("transmission", &T::transmission),
                      field("ior", &T::ior), field("coat", &T::coat),
-                     field("coat_roughness", &T::coat_roughness), field("emission", &T::emission));
+                     field("coat_roughness", &T::coat_roughness), field("emission", &T::emission),
+                     field("specular", &T::specular), field("sheen", &T::sheen),
+                     field("opacity", &T::opacity));
 }
 
 namespace {

@@ -72,10 +72,12 @@ std::vector<std::array<std::uint32_t, 3>> simplified(const render::TriangleMesh&
 }
 
 /// Removes the vertices that no triangle uses.
-void compact(render::TriangleMesh& mesh) {
+void compact(ExportPart& part) {
     constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
+    render::TriangleMesh& mesh = part.mesh;
     std::vector<std::uint32_t> place(mesh.vertices.size(), kUnused);
     render::TriangleMesh result;
+    std::vector<std::vector<Imath::V2f>> coordinates(part.coordinates.size());
     for (std::array<std::uint32_t, 3> triangle : mesh.triangles) {
         for (std::uint32_t& corner : triangle) {
             if (place[corner] == kUnused) {
@@ -84,8 +86,8 @@ void compact(render::TriangleMesh& mesh) {
                 if (!mesh.normals.empty()) {
                     result.normals.push_back(mesh.normals[corner]);
                 }
-                if (!mesh.uv.empty()) {
-                    result.uv.push_back(mesh.uv[corner]);
+                for (std::size_t i = 0; i < coordinates.size(); ++i) {
+                    coordinates[i].push_back(part.coordinates[i][corner]);
                 }
             }
             corner = place[corner];
@@ -93,6 +95,7 @@ void compact(render::TriangleMesh& mesh) {
         result.triangles.push_back(triangle);
     }
     mesh = std::move(result);
+    part.coordinates = std::move(coordinates);
 }
 
 void simplify(ExportPart& part, float error) {
@@ -112,7 +115,7 @@ void simplify(ExportPart& part, float error) {
     }
     part.mesh.triangles = std::move(triangles);
     std::erase_if(part.patches, [](const ExportPatch& patch) { return patch.count == 0; });
-    compact(part.mesh);
+    compact(part);
 }
 
 }  // namespace

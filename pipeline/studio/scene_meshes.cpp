@@ -10,7 +10,6 @@
 #include <variant>
 
 #include "core/field_hasher.h"
-#include "pipeline/export/export_material.h"
 #include "pipeline/export/object_pose.h"
 #include "pipeline/export/scene_glb.h"
 #include "pipeline/studio/lighter_meshes.h"
@@ -24,16 +23,10 @@ constexpr std::size_t kLeastFiles = 4;
 constexpr std::size_t kMostFiles = 32;
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // beyond kLeastFiles
 
+/// Pictures are known by their time and size, as meshes are.
 void add_material(FieldHasher& hasher, const render::MaterialDescription& material) {
-    const pipeline::ExportMaterial plain = pipeline::plain_material(material);
     hasher.add(material.name);
-    hasher.add(plain.base).add(plain.metal).add(plain.roughness).add(plain.transmission);
-    hasher.add(plain.ior).add(plain.coat).add(plain.coat_roughness).add(plain.emission);
-    const render::BallTexture* paint = pipeline::ball_paint(material);
-    hasher.add(paint != nullptr);
-    if (paint != nullptr) {
-        hasher.add_value(*paint);
-    }
+    hasher.add_value(material);
 }
 
 void add_light(FieldHasher& hasher, const render::LightDescription& light) {
@@ -75,7 +68,7 @@ void add_shape(FieldHasher& hasher, const render::Shape& shape) {
 }  // namespace
 
 Hash128 hash_meshes(const pipeline::Shot& shot) {
-    FieldHasher hasher;
+    FieldHasher hasher(FileHash::stamp);
     for (const render::ObjectDescription& object : shot.scene.objects) {
         hasher.add(object.name).add(object.material);
         add_shape(hasher, object.shape);
@@ -103,7 +96,7 @@ std::string MeshFiles::add(const pipeline::Shot& shot) {
     }
     pipeline::ExportScene scene = pipeline::export_meshes(shot);
     lighten(scene);
-    auto bytes = std::make_shared<const std::string>(pipeline::scene_to_glb(scene));
+    auto bytes = std::make_shared<const std::string>(pipeline::scene_to_glb(scene, pictures_));
     const std::lock_guard lock(mutex_);
     bytes_ += bytes->size();
     files_.push_back({hash, std::move(bytes)});

@@ -10,11 +10,12 @@
 #include <string_view>
 
 #include "core/hash.h"
+#include "pipeline/export/textures/picture_store.h"
 #include "pipeline/shot/shot.h"
 
 namespace carom::studio {
 
-/// Of the shapes, materials and colours, but not of poses and motion.
+/// Of the shapes, materials and textures, but not of poses and motion.
 [[nodiscard]] Hash128 hash_meshes(const pipeline::Shot& shot);
 
 /// Keeps the last few files. All functions may be called from any thread.
@@ -35,6 +36,10 @@ class MeshFiles {
         std::string hash;
         std::shared_ptr<const std::string> bytes;
     };
+    /// Of pictures in the view, a side in pixels.
+    static constexpr int kMostPixels = 1024;
+
+    pipeline::PictureStore pictures_{{.most_side = kMostPixels, .skips_unreadable = true}};
     mutable std::mutex mutex_;
     std::deque<File> files_;  // the last used ones at the end
     std::size_t bytes_ = 0;   // of all

@@ -67,13 +67,14 @@ class Writer {
 
     /// Returns false after an error. libpng leaves it by longjmp, so that it must not have objects
     /// with destructors.
-    bool write(png_uint_32 width, png_uint_32 height, png_const_bytep rgb, png_textp texts,
-               int text_count) {
+    bool write(png_uint_32 width, png_uint_32 height, std::size_t channels, png_const_bytep values,
+               png_textp texts, int text_count) {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) {
             return false;
         }
-        png_set_IHDR(png_, info_, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_IHDR(png_, info_, width, height, 8,
+                     channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
         png_set_compression_level(png_, kZlibLevel);
         png_set_compression_strategy(png_, PNG_Z_DEFAULT_STRATEGY);
@@ -81,7 +82,7 @@ class Writer {
         png_set_text(png_, info_, texts, text_count);
         png_write_info(png_, info_);
         for (png_uint_32 row = 0; row < height; ++row) {
-            png_write_row(png_, rgb + std::size_t{3} * width * row);
+            png_write_row(png_, values + channels * width * row);
         }
         png_write_end(png_, info_);
         return true;
@@ -95,15 +96,16 @@ class Writer {
 
 }  // namespace
 
-std::vector<std::byte> encode_png(std::span<const std::uint8_t> rgb, int width, int height,
+std::vector<std::byte> encode_png(std::span<const std::uint8_t> values, int width, int height,
                                   const std::map<std::string, std::string>& texts) {
-    CAROM_ASSERT(rgb.size() ==
-                 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const std::size_t channels = values.size() == 4 * pixels ? 4 : 3;
+    CAROM_ASSERT(values.size() == channels * pixels);
     std::vector<png_text> entries = as_png_texts(texts);
     std::vector<std::byte> file;
     Writer writer(file);
-    if (!writer.write(static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), rgb.data(),
-                      entries.data(), static_cast<int>(entries.size()))) {
+    if (!writer.write(static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), channels,
+                      values.data(), entries.data(), static_cast<int>(entries.size()))) {
         throw Error(writer.error());
     }
     return file;

@@ -51,14 +51,25 @@ function useKeptFocus(list: { current: HTMLElement | null }): void {
     });
 }
 
+function isMaterial(path: KeyPath): boolean {
+    return path.length === 2 && path[0] === 'materials';
+}
+
+/// The model of reflection that the text gives a material; null if none.
+function modelOfMaterial(path: KeyPath): string | null {
+    return textsNow().keysOf(path).find((key) => key === 'standard' || key === 'phong') ?? null;
+}
+
 function Values({ path }: { path: KeyPath }) {
     const list = useRef<HTMLDivElement>(null);
     const isThis = (one: { path: KeyPath }) => one.path.join('/') === path.join('/');
     const event = shot.value?.events.find(isThis);
     const annotation = shot.value?.annotations.find(isThis);
     const part = sequence.value?.parts[indexOfPart(path)];
-    // The keys of an event stand below its kind, those of an annotation also beside it.
-    const fields = useFields(event ? [...path, event.kind] : path, annotation?.kind ?? null);
+    // The keys of an event stand below its kind, as those of a material do; those of an annotation
+    // also beside it.
+    const kind = annotation?.kind ?? (isMaterial(path) ? modelOfMaterial(path) : null);
+    const fields = useFields(event ? [...path, event.kind] : path, kind);
     useKeptFocus(list);
     if (!fields) {
         return null;

@@ -24,7 +24,7 @@ export interface Texts {
     keysOf(path: KeyPath): string[];
 }
 
-const kDeepest = 5;
+const kDeepest = 10; // maps within maps, as of mixes of textures
 
 /// Whether a list is shown in one line: two to four plain values.
 export function isVector(field: Field): boolean {

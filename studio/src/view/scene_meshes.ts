@@ -1,7 +1,7 @@
 /// The meshes of the shot: the .glb of the server, whose nodes are posed by ShotState and timeline.
 import { withKey } from '../connection/key';
 import {
-    Group, Light, Mesh, MeshLambertMaterial, MeshStandardMaterial,
+    Group, Light, Mesh, MeshLambertMaterial, MeshStandardMaterial, Texture,
 } from 'three';
 import type { Material, Object3D } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
@@ -23,8 +23,12 @@ function simplified(material: Material): Material {
     if (!(material instanceof MeshStandardMaterial)) {
         return material;
     }
-    const { color, emissive, emissiveIntensity, side } = material;
-    return new MeshLambertMaterial({ color, emissive, emissiveIntensity, side });
+    const {
+        color, map, emissive, emissiveIntensity, emissiveMap, side, opacity, transparent, alphaTest, depthWrite,
+    } = material;
+    return new MeshLambertMaterial({
+        color, map, emissive, emissiveIntensity, emissiveMap, side, opacity, transparent, alphaTest, depthWrite,
+    });
 }
 
 /// Releases what the graphics card holds of it.
@@ -33,6 +37,11 @@ function release(object: Object3D): void {
         if (part instanceof Mesh) {
             part.geometry.dispose();
             for (const material of [part.material].flat()) {
+                for (const value of Object.values(material)) {
+                    if (value instanceof Texture) {
+                        value.dispose();
+                    }
+                }
                 material.dispose();
             }
         }

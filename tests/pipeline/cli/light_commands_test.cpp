@@ -189,6 +189,36 @@ TEST_F(LightCommands, ExportFormat_IsSelectedByTheFileName) {
     }
 }
 
+/// A shot with a picture that no USD file can refer to.
+constexpr const char* kPainted = R"(carom: 1
+balls: {cue: {at: [0, 0]}}
+objects: {wall: {rectangle: [1, 1], at: [0, 0, 1], material: paint}}
+materials: {paint: {standard: {base: {image: {file: paint.hdr}}}}}
+)";
+const std::string kPaint =
+    std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n") + "\x80\x40\x20\x80";
+
+TEST_F(LightCommands, ExportToUsda_WritesThePicturesThatItNeeds) {
+    write_text(path("painted.yaml"), kPainted);
+    write_text(path("paint.hdr"), kPaint);
+    const RunResult result = run({"export", "painted.yaml", "-o", "out.usda"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "out.usda\n");
+    EXPECT_THAT(text_of("out.usda"), HasSubstr("@./out_textures/paint_base.png@"));
+    EXPECT_THAT(text_of("out_textures/paint_base.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(LightCommands, ExportToUsdaWithoutRoomForPictures_WritesNothing) {
+    write_text(path("painted.yaml"), kPainted);
+    write_text(path("paint.hdr"), kPaint);
+    write_text(path("out_textures"), "a file");
+    const RunResult result = run({"export", "painted.yaml", "-o", "out.usda"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("cannot make the folder 'out_textures'"));
+    EXPECT_EQ(text_of("out.usda"), "");
+    EXPECT_EQ(text_of("out_textures"), "a file");
+}
+
 TEST_F(LightCommands, ExportInAnUnknownFormat_IsRejected) {
     const RunResult result = run({"export", "tiny.yaml", "-o", "a.fbx"});
     EXPECT_EQ(result.exit_code, 2);

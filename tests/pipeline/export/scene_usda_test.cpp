@@ -25,7 +25,7 @@ const carom::testing::SampleScene& sample() {
 }
 
 const UsdaPrim& root() {
-    static const UsdaPrim prim = carom::testing::read_usda(scene_to_usda(sample().scene));
+    static const UsdaPrim prim = carom::testing::read_usda(scene_to_usda(sample().scene).text);
     return prim;
 }
 
@@ -153,7 +153,7 @@ TEST(SceneUsda, ShotWithATable_IsComplete) {
     ASSERT_TRUE(loaded.shot);
     const sim::Timeline timeline = sim::bake(loaded.shot->world);
     const UsdaPrim file =
-        carom::testing::read_usda(scene_to_usda(export_scene(*loaded.shot, timeline)));
+        carom::testing::read_usda(scene_to_usda(export_scene(*loaded.shot, timeline)).text);
     EXPECT_NE(file.at("/shot/table_cloth"), nullptr);
     EXPECT_EQ(file.at("/shot/table_cloth")->metadata.at("displayName").text, "table/cloth");
     EXPECT_EQ(file.at("/shot/b_8")->type, "Mesh");  // names have no '-' and are unique
@@ -167,7 +167,8 @@ TEST(SceneUsda, PathsOfPictures_AreRelativeToTheFile) {
         render::EnvironmentLight room;
         room.image = image;
         scene.lights = {{"room", room}};
-        const std::string text = scene_to_usda(scene, folder);
+        const std::string file = (std::filesystem::path(folder) / "shot.usda").string();
+        const std::string text = scene_to_usda(scene, file).text;
         const std::size_t begin = text.find("inputs:texture:file = ") + 22;
         return text.substr(begin, text.find('\n', begin) - begin);
     };
@@ -204,8 +205,9 @@ TEST(SceneUsda, MeshWithCoordinatesOfAMap_KeepsItsDigits) {
     for (const ExportPart& part : scene.parts) {
         EXPECT_LT((part.mesh.vertices[0] - Imath::V3f(-0.05F, -0.05F, 0)).length(), 1e-7);
     }
-    EXPECT_NE(scene_to_usda(scene).find("xformOp:translate:mesh = (691000.3, 5334000.55, 520.125)"),
-              std::string::npos);
+    EXPECT_NE(
+        scene_to_usda(scene).text.find("xformOp:translate:mesh = (691000.3, 5334000.55, 520.125)"),
+        std::string::npos);
     const std::string glb = scene_to_glb(scene);
     EXPECT_NE(glb.find(R"("name":"stone mesh")"), std::string::npos);
     EXPECT_NE(glb.find(R"("children":[3])"), std::string::npos);
@@ -214,7 +216,7 @@ TEST(SceneUsda, MeshWithCoordinatesOfAMap_KeepsItsDigits) {
 
 // three.js reads line by line; with several entries in one line it would find an empty scene.
 TEST(SceneUsda, Metadata_HasOneLinePerEntry) {
-    std::istringstream text(scene_to_usda(sample().scene));
+    std::istringstream text(scene_to_usda(sample().scene).text);
     const std::regex whole_line(
         R"( +(displayName = "[^"]*"|prepend apiSchemas = \["\w+"\]|interpolation = "vertex"))");
     int entries = 0;

@@ -1,0 +1,58 @@
+// Where pictures and flat patterns are on an object, apart from the shapes that they are on.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/scene/material_description.h"
+
+namespace carom::pipeline {
+
+/// What coordinates a mesh needs for a texture. Textures that differ only in repeats and offset
+/// share them. The rotation belongs to the coordinates, because glTF and USD turn a picture after
+/// they have scaled it.
+struct TexturePlace {
+    render::Mapping mapping = render::Mapping::uv;  // not `own`
+    Vec3 facing{0, 0, 1};                           // of a planar mapping; otherwise as here
+    double rotation = 0;     // of the texture, counter-clockwise about the origin, rad
+    bool by_length = false;  // uv and spherical: times their lengths, m. Others always are in m
+
+    bool operator==(const TexturePlace&) const = default;
+};
+
+/// Coordinates c of a place are at c * repeats - offset in a texture that repeats from 0 to 1,
+/// right and up.
+struct TextureTile {
+    Vec2 repeats{1, 1};
+    Vec2 offset{0, 0};
+
+    [[nodiscard]] Vec2 in_texture(const Vec2& c) const { return c * repeats - offset; }
+    [[nodiscard]] Vec2 coordinates(const Vec2& t) const { return (t + offset) / repeats; }
+    bool operator==(const TextureTile&) const = default;
+};
+
+struct PlacedTexture {
+    TexturePlace place;
+    TextureTile tile;
+    const render::ImageTexture* image = nullptr;  // null: a checker
+};
+
+/// What is returned refers to the image.
+[[nodiscard]] PlacedTexture placed(const render::ImageTexture& image);
+
+/// One repeat has two by two squares, the even one at the lower left. Empty if it fills space.
+[[nodiscard]] std::optional<PlacedTexture> placed(const render::CheckerTexture& checker);
+
+/// Adds all pictures and flat checkers in a source, to which they refer. Other patterns have no
+/// place on a surface.
+void add_textures(const render::ColourSource& source, std::vector<PlacedTexture>& textures);
+void add_textures(const render::NumberSource& source, std::vector<PlacedTexture>& textures);
+void add_textures(const render::Relief& relief, std::vector<PlacedTexture>& textures);
+
+/// One picture can show all of these: they have the same place, and each of them repeats a whole
+/// number of times where the largest one repeats once. Returns the largest one; empty if there is
+/// none or they differ.
+[[nodiscard]] std::optional<PlacedTexture> shared_texture(
+    const std::vector<PlacedTexture>& textures);
+
+}  // namespace carom::pipeline
