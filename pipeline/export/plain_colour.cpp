@@ -4,30 +4,24 @@
 
 namespace carom::pipeline {
 
-namespace {
-
-constexpr double kPictureGrey = 0.5;
-
-}  // namespace
-
 Vec3 plain_colour(const render::ColourSource& source) {
-    struct Visitor {
-        Vec3 operator()(const Vec3& colour) const { return colour; }
-        Vec3 operator()(const render::ImageTexture&) const { return Vec3(kPictureGrey); }
-        Vec3 operator()(const render::BallTexture& ball) const { return ball.colour; }
-        Vec3 operator()(const render::ClothTexture& cloth) const { return cloth.colour; }
-        Vec3 operator()(const render::WoodTexture& wood) const {
-            return (wood.light + wood.dark) / 2;
-        }
-        Vec3 operator()(const render::CheckerTexture& checker) const {
-            return (checker.even + checker.odd) / 2;
-        }
-        Vec3 operator()(const std::shared_ptr<const render::MixTexture>& mix) const {
-            const double by = plain_number(mix->by);
-            return plain_colour(mix->a) * (1 - by) + plain_colour(mix->b) * by;
-        }
-    };
-    return std::visit(Visitor{}, source);
+    using Mix = std::shared_ptr<const render::MixTexture>;
+    if (const auto* colour = std::get_if<Vec3>(&source)) {
+        return *colour;
+    }
+    if (const auto* mix = std::get_if<Mix>(&source)) {
+        const double by = plain_number((*mix)->by);
+        return plain_colour((*mix)->a) * (1 - by) + plain_colour((*mix)->b) * by;
+    }
+    return std::visit(
+        [](const auto& texture) {
+            if constexpr (requires { texture.mean_colour(); }) {
+                return texture.mean_colour();
+            } else {
+                return Vec3(0, 0, 0);  // not reached
+            }
+        },
+        source);
 }
 
 double plain_number(const render::NumberSource& source) {

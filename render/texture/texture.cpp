@@ -24,6 +24,80 @@ PlacementParameters placement_parameters(const Placement& placement) {
     return parameters;
 }
 
+void set_picture(const ImageTexture& image, const ImageTables& picture, TextureData& data) {
+    data.placement = placement_parameters(image.placement);
+    data.image.picture = picture;
+    data.image.repeats = V2f(image.size ? Vec2(1, 1) / *image.size : image.scale);
+    data.image.by_size = image.size.has_value();
+    data.image.offset = V2f(image.offset);
+}
+
+/// Makes a texture of each kind of ColourSource. Patterns are band-limited: detail finer than the
+/// width of a pixel on the surface fades into its mean, so that distant surfaces do not turn into
+/// noise.
+struct TextureMaker {
+    ImageCache& images;
+    TextureData& data;
+    std::shared_ptr<const void>& pictures;
+
+    void operator()(const Vec3& colour) const { data.plain = V3f(colour); }
+
+    void operator()(const std::shared_ptr<const MixTexture>& /*mix*/) const { CAROM_ASSERT(false); }
+
+    void operator()(const ImageTexture& image) const {
+        const auto picture = images.file(image.file, image.is_linear);
+        data.kind = TextureKind::image;
+        set_picture(image, picture->tables(), data);
+        data.image.tint = V3f(image.tint);
+        data.image.background = V3f(image.background.value_or(kTransparentColour));
+        pictures = picture;
+    }
+
+    void operator()(const BallTexture& ball) const {
+        const auto number = ball.number > 0 ? images.number(ball.number) : nullptr;
+        data.kind = TextureKind::ball;
+        data.ball = {V3f(ball.colour),
+                     V3f(ball.white),
+                     ball.striped,
+                     ball.spots > 0,
+                     std::clamp(static_cast<float>(ball.disc_radius), 0.01F, 0.95F),
+                     number != nullptr ? number->tables() : PyramidTables{}};
+        pictures = number;
+    }
+
+    void operator()(const ClothTexture& cloth) const {
+        const auto tiles = images.cloth_tiles();
+        data.kind = TextureKind::cloth;
+        data.placement = placement_parameters(cloth.placement);
+        data.cloth = {V3f(cloth.colour),
+                      std::max(static_cast<float>(cloth.thread), kSmallest),
+                      static_cast<float>(cloth.variation),
+                      tiles->weave.tables(),
+                      tiles->nap.tables(),
+                      tiles->wear.tables()};
+        pictures = tiles;
+    }
+
+    void operator()(const WoodTexture& wood) const {
+        const V3f grain(wood.grain);
+        const V3f along = grain.length2() > 0 ? grain.normalized() : V3f(1, 0, 0);
+        const V3f least = std::abs(along.z) < 0.9F ? V3f(0, 0, 1) : V3f(1, 0, 0);
+        const V3f across = least.cross(along).normalized();
+        data.kind = TextureKind::wood;
+        data.placement = placement_parameters(wood.placement);
+        data.wood = {
+            V3f(wood.light), V3f(wood.dark), std::max(static_cast<float>(wood.ring), kSmallest),
+            along,           across,         along.cross(across)};
+    }
+
+    void operator()(const CheckerTexture& checker) const {
+        data.kind = TextureKind::checker;
+        data.placement = placement_parameters(checker.placement);
+        data.checker = {V3f(checker.even), V3f(checker.odd),
+                        std::max(static_cast<float>(checker.size), kSmallest)};
+    }
+};
+
 }  // namespace
 
 std::shared_ptr<const ImagePyramid> ImageCache::file(const std::string& path, bool is_linear) {
@@ -47,92 +121,23 @@ std::shared_ptr<const ClothTiles> ImageCache::cloth_tiles() {
     return cloth_tiles_.get(0, make_cloth_tiles);
 }
 
-void Texture::set_picture(const ImageTexture& image, const ImageTables& picture) {
-    data_.placement = placement_parameters(image.placement);
-    data_.image.picture = picture;
-    data_.image.repeats = V2f(image.size ? Vec2(1, 1) / *image.size : image.scale);
-    data_.image.by_size = image.size.has_value();
-    data_.image.offset = V2f(image.offset);
-}
-
 Texture::Texture(const ColourSource& source, ImageCache& images, bool is_bare) {
-    std::visit([&](const auto& one) { set(one, images); }, source);
+    std::visit(TextureMaker{images, data_, pictures_}, source);
     const auto* image = std::get_if<ImageTexture>(&source);
     data_.image.is_bare = is_bare && image != nullptr && !image->background;
-}
-
-void Texture::set(const Vec3& colour, ImageCache& /*images*/) {
-    data_.plain = V3f(colour);
-}
-
-void Texture::set(const std::shared_ptr<const MixTexture>& /*mix*/, ImageCache& /*images*/) {
-    CAROM_ASSERT(false);
-}
-
-void Texture::set(const ImageTexture& image, ImageCache& images) {
-    const auto picture = images.file(image.file, image.is_linear);
-    data_.kind = TextureKind::image;
-    set_picture(image, picture->tables());
-    data_.image.tint = V3f(image.tint);
-    data_.image.background = V3f(image.background.value_or(kTransparentColour));
-    pictures_ = picture;
-}
-
-void Texture::set(const BallTexture& ball, ImageCache& images) {
-    const auto number = ball.number > 0 ? images.number(ball.number) : nullptr;
-    data_.kind = TextureKind::ball;
-    data_.ball = {V3f(ball.colour),
-                  V3f(ball.white),
-                  ball.striped,
-                  ball.spots > 0,
-                  std::clamp(static_cast<float>(ball.disc_radius), 0.01F, 0.95F),
-                  number != nullptr ? number->tables() : PyramidTables{}};
-    pictures_ = number;
-}
-
-void Texture::set(const ClothTexture& cloth, ImageCache& images) {
-    const auto tiles = images.cloth_tiles();
-    data_.kind = TextureKind::cloth;
-    data_.placement = placement_parameters(cloth.placement);
-    data_.cloth = {V3f(cloth.colour),
-                   std::max(static_cast<float>(cloth.thread), kSmallest),
-                   static_cast<float>(cloth.variation),
-                   tiles->weave.tables(),
-                   tiles->nap.tables(),
-                   tiles->wear.tables()};
-    pictures_ = tiles;
-}
-
-void Texture::set(const WoodTexture& wood, ImageCache& /*images*/) {
-    const V3f grain(wood.grain);
-    const V3f along = grain.length2() > 0 ? grain.normalized() : V3f(1, 0, 0);
-    const V3f least = std::abs(along.z) < 0.9F ? V3f(0, 0, 1) : V3f(1, 0, 0);
-    const V3f across = least.cross(along).normalized();
-    data_.kind = TextureKind::wood;
-    data_.placement = placement_parameters(wood.placement);
-    data_.wood = {
-        V3f(wood.light), V3f(wood.dark), std::max(static_cast<float>(wood.ring), kSmallest),
-        along,           across,         along.cross(across)};
-}
-
-void Texture::set(const CheckerTexture& checker, ImageCache& /*images*/) {
-    data_.kind = TextureKind::checker;
-    data_.placement = placement_parameters(checker.placement);
-    data_.checker = {V3f(checker.even), V3f(checker.odd),
-                     std::max(static_cast<float>(checker.size), kSmallest)};
 }
 
 Texture::Texture(const NormalPicture& normals, ImageCache& images) {
     const auto picture = images.normals(normals.image.file);
     data_.kind = TextureKind::normals;
-    set_picture(normals.image, picture->tables());
+    set_picture(normals.image, picture->tables(), data_);
     pictures_ = picture;
 }
 
 Texture::Texture(const ImageTexture& heights, PictureChannel channel, ImageCache& images) {
     const auto picture = images.heights(heights.file, channel);
     data_.kind = TextureKind::heights;
-    set_picture(heights, picture->tables());
+    set_picture(heights, picture->tables(), data_);
     pictures_ = picture;
 }
 

@@ -62,17 +62,6 @@ class Texture {
     [[nodiscard]] const TextureData& data() const { return data_; }
 
   private:
-    // Each kind of a ColourSource. All patterns are band-limited: detail finer than the width of a
-    // pixel on the surface fades into its mean, so that distant surfaces do not turn into noise.
-    void set(const Vec3& colour, ImageCache& images);
-    void set(const ImageTexture& image, ImageCache& images);
-    void set(const BallTexture& ball, ImageCache& images);
-    void set(const ClothTexture& cloth, ImageCache& images);
-    void set(const WoodTexture& wood, ImageCache& images);
-    void set(const CheckerTexture& checker, ImageCache& images);
-    void set(const std::shared_ptr<const MixTexture>& mix, ImageCache& images);
-    void set_picture(const ImageTexture& image, const ImageTables& picture);
-
     TextureData data_;
     std::shared_ptr<const void> pictures_;  // to which data_ points
 };
