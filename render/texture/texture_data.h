@@ -166,7 +166,7 @@ struct ReliefParameters {
 
 /// The textures of a material, and what they are for.
 struct MaterialTextures {
-    static constexpr int kMost = 32;  // in the list
+    static constexpr int kMost = 40;  // in the list: 12 mixes, each of two constants, and others
 
     /// In the scene's list. A mix follows what it mixes; what only light and opacity need comes
     /// last.
