@@ -63,15 +63,12 @@ void visit_textures(const render::MaterialDescription& material, const TextureVi
     }
     const render::StandardMaterial& surface = material.surface;
     walk.colour("base", surface.base);
-    walk.number("metal", surface.metal);
-    walk.number("roughness", surface.roughness);
-    walk.number("specular", surface.specular);
-    walk.number("sheen", surface.sheen);
+    for (const render::TexturedParameter& parameter : render::textured_parameters(surface)) {
+        walk.number(parameter.key, *parameter.number);
+    }
     walk.relief(surface.relief);
     walk.colour("emission", surface.emission);
     walk.number("opacity", surface.opacity);
-    walk.number("coat.weight", surface.coat.weight);
-    walk.number("coat.roughness", surface.coat.roughness);
 }
 
 int texture_count(const render::MaterialDescription& material) {

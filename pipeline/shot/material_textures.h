@@ -14,7 +14,7 @@ inline constexpr int kMostTextures = 12;  // of a material
 using TextureVisitor =
     std::function<void(std::string_view key, const render::ColourSource& texture)>;
 
-/// Visits the textures in the order of the keys; each mix before what it mixes.
+/// Visits the textures of one parameter after the other; each mix before what it mixes.
 void visit_textures(const render::MaterialDescription& material, const TextureVisitor& visit);
 
 /// How many textures a material has; a mix counts, and so does each texture in it.

@@ -34,8 +34,9 @@ bool has_texture(const MaterialDescription& material) {
     const StandardMaterial& m = material.surface;
     return varies(m.base) || varies(m.emission) || m.opacity.texture() != nullptr ||
            !std::holds_alternative<std::monostate>(m.relief) ||
-           std::ranges::any_of(textured_numbers(m),
-                               [](const NumberSource* number) { return number->texture(); });
+           std::ranges::any_of(textured_parameters(m), [](const TexturedParameter& parameter) {
+               return parameter.number->texture() != nullptr;
+           });
 }
 
 /// Whether the axes of the unit shape are parallel to the world's, in any order and direction.

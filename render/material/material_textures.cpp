@@ -201,9 +201,9 @@ void TexturesOfMaterial::add_differences(const NumberTexture& number, ImageCache
 
 TexturesOfMaterial::TexturesOfMaterial(const StandardMaterial& material, ImageCache& images) {
     numbers_.base = add(material.base, images, material.opacity.texture() != nullptr);
-    const auto of_material = textured_numbers(material);
+    const auto parameters = textured_parameters(material);
     for (std::size_t k = 0; k < kTexturedNumbers; ++k) {
-        numbers_.numbers[k] = add(*of_material[k], images, false);
+        numbers_.numbers[k] = add(*parameters[k].number, images, false);
         numbers_.varies = numbers_.varies || numbers_.numbers[k].texture >= 0;
     }
     add_relief(material.relief, images);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -249,10 +250,21 @@ constexpr auto fields_of(Describes<StandardMaterial>) {
         field("emission_strength", &T::emission_strength), field("opacity", &T::opacity));
 }
 
-/// The numbers that textures may give, in the order of TexturedNumber.
-[[nodiscard]] inline std::array<const NumberSource*, kTexturedNumbers> textured_numbers(
+/// A number that a texture may give; `key`: as shots name it.
+struct TexturedParameter {
+    std::string_view key;
+    const NumberSource* number;
+};
+
+/// All of them, in the order of TexturedNumber.
+[[nodiscard]] inline std::array<TexturedParameter, kTexturedNumbers> textured_parameters(
     const StandardMaterial& m) {
-    return {&m.coat.weight, &m.coat.roughness, &m.sheen, &m.metal, &m.specular, &m.roughness};
+    return {{{"metal", &m.metal},
+             {"roughness", &m.roughness},
+             {"specular", &m.specular},
+             {"sheen", &m.sheen},
+             {"coat.weight", &m.coat.weight},
+             {"coat.roughness", &m.coat.roughness}}};
 }
 
 /// The classic model: the terms of Phong 1975, "Illumination for computer generated pictures", and

@@ -19,15 +19,15 @@ enum class Mapping : std::uint8_t {
 /// masks of mixes, if the picture is transparent somewhere; otherwise luminance.
 enum class PictureChannel : std::uint8_t { automatic, red, green, blue, alpha, luminance };
 
-/// Numbers of a material that textures may give, in the order of textured_numbers
+/// Numbers of a material that textures may give, in the order of textured_parameters
 /// (material_description.h) and of LayersOf::each_textured (material/kernels/material_numbers.h).
 enum TexturedNumber : std::uint8_t {
+    kMetal,
+    kRoughness,
+    kSpecular,
+    kSheen,
     kCoatWeight,
     kCoatRoughness,
-    kSheen,
-    kMetal,
-    kSpecular,
-    kRoughness,
     kTexturedNumbers
 };
 

@@ -73,11 +73,11 @@ struct LayersOf {
     /// Calls `visit` with each number that textures may give, in the order of TexturedNumber.
     template <class Layers, class Visit>
     CAROM_KERNEL static void each_textured(Layers& layers, const Visit& visit) {
+        visit(layers.metal);
+        visit(layers.alpha);
+        visit(layers.specular);
+        visit(layers.sheen);
         visit(layers.coat_weight);
         visit(layers.coat_alpha);
-        visit(layers.sheen);
-        visit(layers.metal);
-        visit(layers.specular);
-        visit(layers.alpha);
     }
 };
