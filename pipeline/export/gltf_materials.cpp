@@ -121,7 +121,10 @@ class MaterialJson {
     void add_base() {
         std::optional<TextureGroup> of_opacity = group(surface_.opacity);
         std::optional<TextureGroup> of_base = group(surface_.base);
-        std::optional<TextureGroup> both = group(surface_.base, surface_.opacity);
+        std::optional<TextureGroup> both;
+        if (of_base && of_opacity && fit_together(of_base->shared, of_opacity->shared)) {
+            both = group(surface_.base, surface_.opacity);
+        }
         Vec3 factor = plain_.base;
         double alpha = plain_.opacity;
         bool is_transparent = alpha < 1;
@@ -169,12 +172,12 @@ class MaterialJson {
         }
         const render::ColourSource base = untinted_base();
         return pictures_
-            .made(of_base, plain_.name + " base",
-                  hash_of(is_bare() ? "bare colour" : "colour", base),
-                  [&] {
-                      return bake_colour(baked_grid(of_base, store_),
-                                         colour_values(base, store_, is_bare()), {});
-                  })
+            .made(
+                of_base, plain_.name + " base", hash_of(is_bare() ? "bare colour" : "colour", base),
+                [&] {
+                    return bake_colour(baked_grid(of_base, store_),
+                                       colour_values(base, of_base.shared, store_, is_bare()), {});
+                })
             .reference;
     }
 
@@ -192,9 +195,10 @@ class MaterialJson {
             has_base ? untinted_base() : render::ColourSource(Vec3(1, 1, 1));
         const GltfTextures::Made made = pictures_.made(
             textures, plain_.name + " opacity", hash_of("cut out", base, surface_.opacity), [&] {
-                return bake_colour(baked_grid(textures, store_),
-                                   colour_values(base, store_, is_bare()),
-                                   number_values(surface_.opacity, store_, NumberUse::mask));
+                return bake_colour(
+                    baked_grid(textures, store_),
+                    colour_values(base, textures.shared, store_, is_bare()),
+                    number_values(surface_.opacity, textures.shared, store_, NumberUse::mask));
             });
         texture = made.reference;
         // Making a picture smaller blurs the edges of what is cut out.
@@ -255,7 +259,7 @@ class MaterialJson {
                 factors[i] = 1;
                 const auto channel = static_cast<std::size_t>(slots[i].channel);
                 numbers.resize(std::max(numbers.size(), channel + 1));
-                numbers[channel] = number_values(slots[i].number, store_);
+                numbers[channel] = number_values(slots[i].number, shared->shared, store_);
                 hasher.add(slots[i].channel);
                 hasher.add_value(slots[i].number);
             }
@@ -303,7 +307,9 @@ class MaterialJson {
     /// Whether a number has to be constant beside another one.
     [[nodiscard]] bool is_left_out(const render::NumberSource& number,
                                    const render::NumberSource& beside) {
-        return !group(number) || (group(beside) && !group(number, beside));
+        const std::optional<TextureGroup> own = group(number);
+        const std::optional<TextureGroup> other = group(beside);
+        return !own || (other && !fit_together(own->shared, other->shared));
     }
 
     void add_metal() {
@@ -334,7 +340,7 @@ class MaterialJson {
         }
         const auto& height = std::get<render::HeightTexture>(surface_.relief);
         const auto make = [&] {
-            const NumberAt number = number_values(height.number, store_);
+            const NumberAt number = number_values(height.number, relief->shared, store_);
             const auto depth = static_cast<float>(height.depth);
             return bake_relief(
                 baked_grid(*relief, store_), [&](const Vec2& c) { return depth * number(c); },
@@ -385,7 +391,7 @@ class MaterialJson {
             return image->tint;
         }
         const BakedGrid grid = baked_grid(textures, store_);
-        const ColourAt colour = colour_values(surface_.emission, store_);
+        const ColourAt colour = colour_values(surface_.emission, textures.shared, store_);
         const float brightest = std::max(1.0F, largest_value(grid, colour));
         const auto dimmed = [&](const Vec2& c) { return colour(c) / brightest; };
         result_["emissiveTexture"] =
@@ -425,7 +431,7 @@ class MaterialJson {
         Json values;
         if (textures) {
             colour = surface_.sheen_colour;
-            const NumberAt weight = number_values(surface_.sheen, store_);
+            const NumberAt weight = number_values(surface_.sheen, textures->shared, store_);
             const auto grey = [&](const Vec2& c) { return Imath::V3f(weight(c)); };
             values["sheenColorTexture"] =
                 pictures_

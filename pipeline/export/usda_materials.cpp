@@ -160,7 +160,7 @@ class MaterialWriter {
         const Hash128 hash = hash_of(is_bare ? "bare colour" : "colour", surface_.base);
         UsdaTexture texture = made(*textures, "base", hash, [&] {
             return bake_colour(baked_grid(*textures, store_),
-                               colour_values(surface_.base, store_, is_bare), {});
+                               colour_values(surface_.base, textures->shared, store_, is_bare), {});
         });
         texture.is_srgb = true;
         return texture;
@@ -175,7 +175,7 @@ class MaterialWriter {
         double strength = surface_.emission_strength;
         if (!texture) {
             const BakedGrid grid = baked_grid(*textures, store_);
-            const ColourAt colour = colour_values(surface_.emission, store_);
+            const ColourAt colour = colour_values(surface_.emission, textures->shared, store_);
             const float brightest = std::max(1.0F, largest_value(grid, colour));
             const auto dimmed = [&](const Vec2& c) { return colour(c) / brightest; };
             texture = made(*textures, "emission", hash_of("light", surface_.emission),
@@ -226,12 +226,12 @@ class MaterialWriter {
         const render::ImageTexture* image = image_of(number);
         const auto channel = image != nullptr ? channel_in_file(*image, use) : std::nullopt;
         if (!channel) {
-            UsdaTexture texture =
-                made(*textures, name,
-                     hash_of(use == NumberUse::mask ? "opacity" : "number", number), [&] {
-                         const NumberAt value = number_values(number, store_, use);
-                         return bake_numbers(baked_grid(*textures, store_), {value, value, value});
-                     });
+            UsdaTexture texture = made(
+                *textures, name, hash_of(use == NumberUse::mask ? "opacity" : "number", number),
+                [&] {
+                    const NumberAt value = number_values(number, textures->shared, store_, use);
+                    return bake_numbers(baked_grid(*textures, store_), {value, value, value});
+                });
             texture.output = "r";
             return texture;
         }
@@ -269,7 +269,8 @@ class MaterialWriter {
             return texture.alpha == AlphaKind::cut_out &&
                    surface_.opacity.texture()->range == Vec2(0, 1);
         }
-        const NumberAt value = number_values(surface_.opacity, store_, NumberUse::mask);
+        const NumberAt value =
+            number_values(surface_.opacity, texture.group.shared, store_, NumberUse::mask);
         const BakedGrid grid = baked_grid(texture.group, store_);
         for (int y = 0; y < grid.height; ++y) {
             for (int x = 0; x < grid.width; ++x) {
@@ -305,7 +306,7 @@ class MaterialWriter {
             const auto& height = std::get<render::HeightTexture>(surface_.relief);
             texture =
                 made(*textures, "relief", hash_of("relief", height, textures_.relief_lengths), [&] {
-                    const NumberAt number = number_values(height.number, store_);
+                    const NumberAt number = number_values(height.number, textures->shared, store_);
                     const auto depth = static_cast<float>(height.depth);
                     return bake_relief(
                         baked_grid(*textures, store_),

@@ -41,6 +41,7 @@ std::optional<TextureGroup> texture_group(std::vector<PlacedTexture> textures,
     if (place == places.end() || !can_be_read(textures, pictures)) {
         return std::nullopt;
     }
+    std::erase_if(textures, [&](const PlacedTexture& one) { return !fit_together(one, *shared); });
     return TextureGroup{std::move(textures), *shared,
                         static_cast<std::size_t>(place - places.begin())};
 }

@@ -10,13 +10,13 @@
 namespace carom::pipeline {
 
 struct TextureGroup {
-    std::vector<PlacedTexture> textures;
+    std::vector<PlacedTexture> textures;  // that the picture shows
     PlacedTexture shared;
     std::size_t coordinates = 0;  // index of the place
 };
 
-/// Empty if there is no texture, if one picture cannot show them all, or if a picture is left out
-/// because it cannot be read. Throws Error if it cannot be read otherwise.
+/// Empty if there is no texture, if meshes lack its place, or if a picture is left out because it
+/// cannot be read. Throws Error if it cannot be read otherwise.
 [[nodiscard]] std::optional<TextureGroup> texture_group(std::vector<PlacedTexture> textures,
                                                         const std::vector<TexturePlace>& places,
                                                         PictureStore& pictures);

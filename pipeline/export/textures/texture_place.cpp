@@ -39,7 +39,7 @@ struct AddTextures {
 
 bool is_whole(double ratio) {
     constexpr double kTolerance = 1e-6;
-    return std::abs(ratio - std::round(ratio)) <= kTolerance * ratio;
+    return ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= kTolerance * ratio;
 }
 
 }  // namespace
@@ -83,16 +83,23 @@ void add_textures(const render::Relief& relief, std::vector<PlacedTexture>& text
     }
 }
 
+bool fit_together(const PlacedTexture& a, const PlacedTexture& b) {
+    const Vec2 ratio = a.tile.repeats / b.tile.repeats;
+    return a.place == b.place && ((is_whole(ratio.x) && is_whole(ratio.y)) ||
+                                  (is_whole(1 / ratio.x) && is_whole(1 / ratio.y)));
+}
+
 std::optional<PlacedTexture> shared_texture(const std::vector<PlacedTexture>& textures) {
     if (textures.empty()) {
         return std::nullopt;
     }
-    const auto repeats = [](const PlacedTexture& t) { return t.tile.repeats.x; };
-    const PlacedTexture largest = *std::ranges::min_element(textures, {}, repeats);
+    const auto is_picture = [](const PlacedTexture& t) { return t.image != nullptr; };
+    const auto picture = std::ranges::find_if(textures, is_picture);
+    PlacedTexture largest = picture != textures.end() ? *picture : textures.front();
+    const auto repeats = [](const PlacedTexture& t) { return t.tile.repeats.x * t.tile.repeats.y; };
     for (const PlacedTexture& texture : textures) {
-        const Vec2 ratio = texture.tile.repeats / largest.tile.repeats;
-        if (!(texture.place == largest.place) || !is_whole(ratio.x) || !is_whole(ratio.y)) {
-            return std::nullopt;
+        if (fit_together(texture, largest) && repeats(texture) < repeats(largest)) {
+            largest = texture;
         }
     }
     return largest;

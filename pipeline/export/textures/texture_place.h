@@ -49,9 +49,12 @@ void add_textures(const render::ColourSource& source, std::vector<PlacedTexture>
 void add_textures(const render::NumberSource& source, std::vector<PlacedTexture>& textures);
 void add_textures(const render::Relief& relief, std::vector<PlacedTexture>& textures);
 
-/// One picture can show all of these: they have the same place, and each of them repeats a whole
-/// number of times where the largest one repeats once. Returns the largest one; empty if there is
-/// none or they differ.
+/// Whether one picture can show both: they have the same place, and one repeats a whole number of
+/// times where the other repeats once.
+[[nodiscard]] bool fit_together(const PlacedTexture& a, const PlacedTexture& b);
+
+/// What a picture has to show of these: the largest one that has the place of the first picture, or
+/// of the first pattern. Those that do not fit it have one colour. Empty if there is none.
 [[nodiscard]] std::optional<PlacedTexture> shared_texture(
     const std::vector<PlacedTexture>& textures);
 

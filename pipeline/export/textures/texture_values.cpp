@@ -35,15 +35,19 @@ ColourAt picture_values(const render::ImageTexture& image, PictureStore& picture
 }
 
 struct ColourValues {
+    const PlacedTexture& shared;
     PictureStore& pictures;
     bool is_bare;
 
     ColourAt operator()(const render::ImageTexture& image) const {
+        if (!fit_together(placed(image), shared)) {
+            return constant(image);
+        }
         return picture_values(image, pictures, image.is_linear, is_bare);
     }
     ColourAt operator()(const render::CheckerTexture& checker) const {
         const auto known = placed(checker);
-        if (!known) {
+        if (!known || !fit_together(*known, shared)) {
             return constant(checker);
         }
         return
@@ -55,9 +59,9 @@ struct ColourValues {
             };
     }
     ColourAt operator()(const std::shared_ptr<const render::MixTexture>& mix) const {
-        const ColourValues parts{pictures, is_bare || mix->by.texture() != nullptr};
+        const ColourValues parts{shared, pictures, is_bare || mix->by.texture() != nullptr};
         return [a = std::visit(parts, mix->a), b = std::visit(parts, mix->b),
-                by = number_values(mix->by, pictures, NumberUse::mask)](const Vec2& c) {
+                by = number_values(mix->by, shared, pictures, NumberUse::mask)](const Vec2& c) {
             const float weight = std::clamp(by(c), 0.0F, 1.0F);
             return a(c) * (1 - weight) + b(c) * weight;
         };
@@ -83,9 +87,13 @@ float part_of(const V3f& colour, PictureChannel channel) {
     }
 }
 
-NumberAt pattern_values(const render::ColourSource& pattern, PictureStore& pictures,
-                        NumberUse use) {
+NumberAt pattern_values(const render::ColourSource& pattern, const PlacedTexture& shared,
+                        PictureStore& pictures, NumberUse use) {
     const auto* image = std::get_if<render::ImageTexture>(&pattern);
+    if (image != nullptr && !fit_together(placed(*image), shared)) {
+        const float value = luminance(V3f(plain_colour(pattern)));
+        return [value](const Vec2&) { return value; };
+    }
     const PictureChannel channel = image == nullptr
                                        ? PictureChannel::luminance
                                        : channel_of(*image, pictures.facts(image->file), use);
@@ -95,7 +103,7 @@ NumberAt pattern_values(const render::ColourSource& pattern, PictureStore& pictu
             return sampler.at(tile.in_texture(c)).alpha;
         };
     }
-    const ColourAt colour = image == nullptr ? colour_values(pattern, pictures)
+    const ColourAt colour = image == nullptr ? colour_values(pattern, shared, pictures)
                                              : picture_values(*image, pictures, true, false);
     return [colour, channel](const Vec2& c) { return part_of(colour(c), channel); };
 }
@@ -117,20 +125,22 @@ bool is_as_stored(const render::ImageTexture& image, PictureChannel channel,
            (facts.alpha == AlphaKind::opaque && image.tint == Vec3(1, 1, 1));
 }
 
-ColourAt colour_values(const render::ColourSource& source, PictureStore& pictures, bool is_number) {
-    return std::visit(ColourValues{pictures, is_number}, source);
+ColourAt colour_values(const render::ColourSource& source, const PlacedTexture& shared,
+                       PictureStore& pictures, bool is_bare) {
+    return std::visit(ColourValues{shared, pictures, is_bare}, source);
 }
 
-NumberAt number_values(const render::NumberTexture& texture, PictureStore& pictures,
-                       NumberUse use) {
-    return [pattern = pattern_values(texture.pattern, pictures, use),
+NumberAt number_values(const render::NumberTexture& texture, const PlacedTexture& shared,
+                       PictureStore& pictures, NumberUse use) {
+    return [pattern = pattern_values(texture.pattern, shared, pictures, use),
             from = static_cast<float>(texture.range.x), to = static_cast<float>(texture.range.y)](
                const Vec2& c) { return from + (to - from) * pattern(c); };
 }
 
-NumberAt number_values(const render::NumberSource& source, PictureStore& pictures, NumberUse use) {
+NumberAt number_values(const render::NumberSource& source, const PlacedTexture& shared,
+                       PictureStore& pictures, NumberUse use) {
     if (const render::NumberTexture* texture = source.texture()) {
-        return number_values(*texture, pictures, use);
+        return number_values(*texture, shared, pictures, use);
     }
     return [value = static_cast<float>(source.constant_or(0))](const Vec2&) { return value; };
 }

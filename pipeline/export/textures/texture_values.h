@@ -17,15 +17,18 @@ using NumberAt = std::function<float(const Vec2&)>;
 /// it has any and nothing else is said.
 enum class NumberUse { usual, mask };
 
-/// The colour at each place, linear. `is_bare`: a picture without a background has the colour of
-/// what is opaque there, because something else says how much of it is seen. Throws Error if a
-/// picture cannot be read.
-[[nodiscard]] ColourAt colour_values(const render::ColourSource& source, PictureStore& pictures,
+/// The colour at each place, linear. Textures that do not fit `shared` have one colour. `is_bare`:
+/// a picture without a background has the colour of what is opaque there, because something else
+/// says how much of it is seen. Throws Error if a picture cannot be read.
+[[nodiscard]] ColourAt colour_values(const render::ColourSource& source,
+                                     const PlacedTexture& shared, PictureStore& pictures,
                                      bool is_bare = false);
 
-[[nodiscard]] NumberAt number_values(const render::NumberSource& source, PictureStore& pictures,
+[[nodiscard]] NumberAt number_values(const render::NumberSource& source,
+                                     const PlacedTexture& shared, PictureStore& pictures,
                                      NumberUse use = NumberUse::usual);
-[[nodiscard]] NumberAt number_values(const render::NumberTexture& texture, PictureStore& pictures,
+[[nodiscard]] NumberAt number_values(const render::NumberTexture& texture,
+                                     const PlacedTexture& shared, PictureStore& pictures,
                                      NumberUse use = NumberUse::usual);
 
 /// The values of a picture of normals, -1 to 1.

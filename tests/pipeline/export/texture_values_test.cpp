@@ -24,11 +24,15 @@ class TextureValues : public PictureFiles {
         return png("four.png", 2, {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}});
     }
     V3f colour(const render::ColourSource& source, const Vec2& c) {
-        return colour_values(source, pictures_)(c);
+        std::vector<PlacedTexture> textures;
+        add_textures(source, textures);
+        return colour_values(source, shared_texture(textures).value(), pictures_)(c);
     }
     float number(const render::NumberSource& source, const Vec2& c,
                  NumberUse use = NumberUse::usual) {
-        return number_values(source, pictures_, use)(c);
+        std::vector<PlacedTexture> textures;
+        add_textures(source, textures);
+        return number_values(source, shared_texture(textures).value(), pictures_, use)(c);
     }
 
     PictureStore pictures_;
@@ -129,11 +133,11 @@ TEST_F(TextureValues, Codes_SurviveDecodingAndEncoding) {
     const ImageTexture picture = image(png("codes.png", 16, pixels, 4));
     const ImageTexture opaque = image(png("opaque.png", 16, pixels, 3));
     const BakedGrid grid{16, 16, {}};
-    const EncodedPicture made = encode(
-        bake_colour(
-            grid, colour_values(opaque, pictures_),
-            number_values(carom::testing::number(picture, PictureChannel::alpha), pictures_)),
-        PictureFormat::png);
+    const EncodedPicture made =
+        encode(bake_colour(grid, colour_values(opaque, placed(opaque), pictures_),
+                           number_values(carom::testing::number(picture, PictureChannel::alpha),
+                                         placed(picture), pictures_)),
+               PictureFormat::png);
     EXPECT_EQ(made.alpha, AlphaKind::varied);
     EXPECT_EQ(pixels_of({reinterpret_cast<const char*>(made.bytes.data()), made.bytes.size()}),
               pixels);
@@ -148,10 +152,23 @@ TEST_F(TextureValues, SharedTexture_IsTheLargestOfWholeMultiples) {
     const auto shared = shared_texture({placed(twice), placed(once)});
     ASSERT_TRUE(shared);
     EXPECT_EQ(shared->tile, TextureTile{});
-    EXPECT_FALSE(shared_texture({placed(odd), placed(once)}));
+    EXPECT_TRUE(fit_together(placed(twice), placed(once)));
+    EXPECT_FALSE(fit_together(placed(odd), placed(once)));
     once.placement.mapping = render::Mapping::box;
-    EXPECT_FALSE(shared_texture({placed(twice), placed(once)}));
+    EXPECT_FALSE(fit_together(placed(twice), placed(once)));
     EXPECT_FALSE(shared_texture({}));
+}
+
+// Wood of an object's own axes, a label by its uv and dirt by a box: the label is what is shown.
+TEST_F(TextureValues, MixOfPlaces_ShowsThatOfItsFirstPicture) {
+    ImageTexture dirt = image(four());
+    dirt.placement.mapping = render::Mapping::box;
+    render::MixTexture mix;
+    mix.a = image(four());
+    mix.b = dirt;
+    mix.by = 0.5;
+    const render::ColourSource source = std::make_shared<const render::MixTexture>(mix);
+    EXPECT_EQ(colour(source, {0.25, 0.25}), V3f(0.25F, 0.25F, 0.75F));  // half of it is grey
 }
 
 }  // namespace
