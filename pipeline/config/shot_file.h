@@ -180,7 +180,7 @@ struct ShotFile {
     std::vector<SolveSection> solve;  // in the order in which they are found
     std::vector<OpenStrike> open;     // of these
     std::vector<Named<render::MaterialDescription>> materials;  // their own names are empty
-    std::vector<Named<render::LightDescription>> lights;  // without names
+    std::vector<Named<render::LightDescription>> lights;        // without names
     std::optional<StickSection> stick;
     std::vector<CameraRig> cameras;
     Place cameras_place;

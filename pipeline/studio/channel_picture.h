@@ -15,7 +15,8 @@ struct ViewChannel {
     int samples = 0;  // that are enough for it; 0: as many as for the colours
 };
 
-/// Of "depth", "normal", "albedo", "roughness", "object_id", "material_id" or "noise". Throws Error for others.
+/// Of "depth", "normal", "albedo", "roughness", "object_id", "material_id" or "noise". Throws Error
+/// for others.
 [[nodiscard]] ViewChannel view_channel(const std::string& name);
 
 struct ChannelPicture {

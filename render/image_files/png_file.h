@@ -25,9 +25,9 @@ namespace carom::render {
 /// The size that its header says. `bytes`: the whole file, or its beginning. Throws Error.
 [[nodiscard]] PictureSize png_size(std::span<const std::byte> bytes, const std::string& path);
 
-/// An 8-bit sRGB picture, width * height * 3 values, or 4 with an alpha by which the colours are not
-/// multiplied, as a PNG file with these texts. The key ImageDescription is written as Description,
-/// as the specification calls it. Throws Error.
+/// An 8-bit sRGB picture, width * height * 3 values, or 4 with an alpha by which the colours are
+/// not multiplied, as a PNG file with these texts. The key ImageDescription is written as
+/// Description, as the specification calls it. Throws Error.
 [[nodiscard]] std::vector<std::byte> encode_png(std::span<const std::uint8_t> values, int width,
                                                 int height,
                                                 const std::map<std::string, std::string>& texts);

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "render/texture/texture.h"
 #include "render/texture/scalar_kernels.h"
+#include "render/texture/texture.h"
 
 namespace carom::render {
 namespace {

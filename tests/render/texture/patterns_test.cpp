@@ -1,10 +1,9 @@
-#include "render/texture/texture.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "render/texture/scalar_kernels.h"
+#include "render/texture/texture.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
