@@ -38,6 +38,10 @@ struct SceneObject {
     bool mesh_is_mapped = false;               // by `frame`, from axes of the mesh's own
 
     [[nodiscard]] bool is_tracked() const { return !track.empty(); }
+    /// Whether its axes are those of the world; with a track: of the body.
+    [[nodiscard]] bool has_axes_of_world() const {
+        return metres_from_world.linear == Imath::M33f();
+    }
     /// Of the mesh, in the axes of the world or the body.
     [[nodiscard]] V3f place_of_vertex(const V3f& vertex) const {
         return mesh_is_mapped ? frame.world_from_unit.point(vertex) : vertex;

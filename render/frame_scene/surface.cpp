@@ -10,7 +10,7 @@ using Point = scalar::SurfacePointOf<One>;
 using LocalRay = scalar::RayOf<One>;
 
 TextureNeeds needs_of(const SceneObject& object) {
-    return {object.has_texture, object.has_texture, object.has_texture};
+    return {object.has_texture, object.has_texture, object.has_texture, object.has_texture};
 }
 
 Point point_of_sphere(const SceneObject& object, const RigidMotion* motion, const LocalRay& ray,
@@ -26,7 +26,7 @@ Point point_of_sphere(const SceneObject& object, const RigidMotion* motion, cons
             const auto turn = scalar::rotation_at<One>(motion->pieces(), time);
             scalar::set_place_on_sphere<One>(metres_from_body, turn.undo(arm), radius,
                                              needs_of(object), point);
-            scalar::turn_gradients<One>(turn, point);
+            scalar::turn_gradients<One>(turn, needs_of(object), point);
         } else {
             scalar::set_place_on_sphere<One>(metres_from_body, arm, radius, needs_of(object),
                                              point);
@@ -70,7 +70,8 @@ Point point_of(const SceneObject& object, const RigidMotion* motion, const Ray& 
     }
     if (motion != nullptr) {
         const auto body = scalar::pose_at<One>(motion->pieces(), ray.time);
-        return scalar::moved<One>(body, point_in_body(object, body.in_body(in_world), hit));
+        return scalar::moved<One>(body, needs_of(object),
+                                  point_in_body(object, body.in_body(in_world), hit));
     }
     if (object.is_upright_box) {
         return scalar::point_on_upright_box<One>(in_world, hit.t,
@@ -94,9 +95,11 @@ SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, co
     point.u_gradient = found.u_gradient;
     point.v_gradient = found.v_gradient;
     point.uv_metres = found.uv_metres;
-    point.x_axis = found.x_axis;
-    point.y_axis = found.y_axis;
-    point.z_axis = found.z_axis;
+    if (object.has_texture && !object.is_upright_box) {
+        point.x_axis = found.x_axis;
+        point.y_axis = found.y_axis;
+        point.z_axis = found.z_axis;
+    }
     point.offset = scalar::offset_at<One>(found.position, object.bounding_radius);
     point.object = hit.object;
     point.material = object.material;

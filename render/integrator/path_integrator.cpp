@@ -86,12 +86,6 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
                                scene.materials.transmits, shadows);
     }
 
-    /// GGX's alpha of the surface at the i-th vertex.
-    [[nodiscard]] float alpha_of(int i, const std::vector<Material>& materials) const {
-        return vertices.numbers != nullptr
-                   ? numbers[kRoughness].at[i]
-                   : materials[static_cast<std::size_t>(vertices.material.at[i])].numbers().alpha;
-    }
     [[nodiscard]] Sample& sample_of(int path) {
         return from_camera[static_cast<std::size_t>(paths().slot.at[path])];
     }
@@ -144,6 +138,9 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
           },
           arena_)) {
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
+    for (const Material& material : scene.materials) {
+        roughness_.push_back(std::sqrt(material.numbers().alpha));
+    }
     if (!scene.lights.environment().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
     }
@@ -288,7 +285,9 @@ void PathIntegrator::note_first_surfaces(Wave& wave) const {
         result.object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
         result.normal = wave.vertices.normal.get(i);
         result.albedo = wave.vertices.base.get(i);
-        result.roughness = std::sqrt(wave.alpha_of(i, scene_.materials));
+        result.roughness = wave.vertices.numbers != nullptr
+                               ? std::sqrt(wave.numbers[kRoughness].at[i])
+                               : roughness_[static_cast<std::size_t>(wave.vertices.material.at[i])];
     }
 }
 

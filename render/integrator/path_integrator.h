@@ -68,6 +68,7 @@ class PathIntegrator final : public Integrator {
     PathSettings settings_;
     Caustics caustics_;
     VaryingEmitters varying_emitters_;
+    std::vector<float> roughness_;  // by material, of those that do not vary
     const LightTracer* light_tracer_;
     const WaveKernels* kernels_;
     SceneArena arena_;

@@ -21,22 +21,22 @@ TextureNeeds needs_of(const TextureData& texture) {
         case TextureKind::mix:
             return {};
         case TextureKind::ball:
-            return {true, false, false};
+            return {true, false, false, false};
         case TextureKind::image:
         case TextureKind::normals:
         case TextureKind::heights:
-            return {true, !is_projected, is_projected};
+            return {true, !is_projected, is_projected, is_projected};
         case TextureKind::wood:
-            return {true, mapping == Mapping::uv, is_projected};
+            return {true, mapping == Mapping::uv, is_projected, is_projected};
         case TextureKind::cloth:
         case TextureKind::checker:
             break;
     }
-    return {true, mapping == Mapping::uv, mapping != Mapping::uv};
+    return {true, mapping == Mapping::uv, is_projected, mapping != Mapping::uv};
 }
 
 TextureNeeds operator+(const TextureNeeds& a, const TextureNeeds& b) {
-    return {a.position || b.position, a.uv || b.uv, a.axes || b.axes};
+    return {a.position || b.position, a.uv || b.uv, a.sides || b.sides, a.axes || b.axes};
 }
 
 using scalar::One;
@@ -240,7 +240,7 @@ void TexturesOfMaterial::finish(double bump) {
     }
     const bool has_slopes = numbers_.relief.kind == ReliefParameters::Kind::slopes;
     if (numbers_.relief.kind == ReliefParameters::Kind::differences) {
-        numbers_.needs.axes = true;
+        numbers_.needs.sides = numbers_.needs.axes = true;
     }
     numbers_.varies = numbers_.varies || has_slopes;
     numbers_.only_base = !numbers_.varies && base().kind != TextureKind::mix &&

@@ -107,20 +107,24 @@ CAROM_KERNEL SurfacePointOf<L> point_on_shape(ShapeKind kind, const MappedShapeO
 }
 
 template <class L>
-CAROM_KERNEL void turn_gradients(const RotationOf<L>& turn, SurfacePointOf<L>& point) {
-    point.x_axis = turn.apply(point.x_axis);
-    point.y_axis = turn.apply(point.y_axis);
-    point.z_axis = turn.apply(point.z_axis);
+CAROM_KERNEL void turn_gradients(const RotationOf<L>& turn, TextureNeeds needs,
+                                 SurfacePointOf<L>& point) {
+    if (needs.axes) {
+        point.x_axis = turn.apply(point.x_axis);
+        point.y_axis = turn.apply(point.y_axis);
+        point.z_axis = turn.apply(point.z_axis);
+    }
     point.u_gradient = turn.apply(point.u_gradient);
     point.v_gradient = turn.apply(point.v_gradient);
 }
 
 /// A point given in the axes of a body, in the world's.
 template <class L>
-CAROM_KERNEL SurfacePointOf<L> moved(const PoseOf<L>& body, SurfacePointOf<L> point) {
+CAROM_KERNEL SurfacePointOf<L> moved(const PoseOf<L>& body, TextureNeeds needs,
+                                     SurfacePointOf<L> point) {
     point.position = body.position + body.rotation.apply(point.position);
     point.geometric_normal = body.rotation.apply(point.geometric_normal);
     point.shading_normal = body.rotation.apply(point.shading_normal);
-    turn_gradients<L>(body.rotation, point);
+    turn_gradients<L>(body.rotation, needs, point);
     return point;
 }

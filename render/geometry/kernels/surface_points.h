@@ -9,7 +9,7 @@ struct SurfacePointOf {
     Vec2Of<L> uv;
     Vec3Of<L> u_gradient, v_gradient;
     Vec2Of<L> uv_metres;
-    Vec3Of<L> x_axis, y_axis, z_axis;  // of the object
+    Vec3Of<L> x_axis, y_axis, z_axis;  // of the object; set if textures need them
     /// Of a mesh with normals: how far the curved surface that they describe is in front of the
     /// triangle, and behind it, m.
     ValueOf<L> rise, fall;
@@ -23,9 +23,6 @@ CAROM_KERNEL void clear_texture_place(SurfacePointOf<L>& point) {
     point.uv = {zero, zero};
     point.u_gradient = point.v_gradient = {zero, zero, zero};
     point.uv_metres = {zero, zero};
-    point.x_axis = {L::all(1), zero, zero};
-    point.y_axis = {zero, L::all(1), zero};
-    point.z_axis = {zero, zero, L::all(1)};
 }
 
 /// u is the longitude from +x over +y, v the latitude from -z to +z; both run from 0 to 1.

@@ -52,6 +52,7 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
         group.absorbs = glass->absorption != V3f(0, 0, 0);
     }
     group.needs = material.textures().numbers().needs;
+    group.needs.axes = group.needs.axes && (moves || !object.has_axes_of_world());
     if (group.kind == WaveGroup::Kind::mesh) {
         group.mesh = arrays_of(*object.mesh);
         group.mesh_is_mapped = object.mesh_is_mapped;
@@ -108,6 +109,8 @@ void add_objects(const TransportScene& scene, WaveScene& wave_scene, SceneArena&
         if (is_new) {
             groups.push_back(group);
         }
+        WaveGroup& made = groups[place->second];
+        made.needs.axes = made.needs.axes || group.needs.axes;
         group_of_object.push_back(place->second);
         traits.push_back(traits_of(scene.materials[object.material]));
         shapes.add(numbers_of(object));

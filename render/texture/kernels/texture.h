@@ -18,11 +18,18 @@ struct TexturePointOf {
     Vec3Of<L> way_along, way_across;  // the pixel's sides in the world, m
     Vec3Of<L> u_gradient, v_gradient;
     Vec3Of<L> x_axis, y_axis, z_axis;
+    bool has_axes;  // otherwise they are the world's
 
     [[nodiscard]] CAROM_KERNEL Vec3Of<L> in_object(const Vec3Of<L>& v) const {
+        if (!has_axes) {
+            return v;
+        }
         return {dot(x_axis, v), dot(y_axis, v), dot(z_axis, v)};
     }
     [[nodiscard]] CAROM_KERNEL Vec3Of<L> in_world(const Vec3Of<L>& v) const {
+        if (!has_axes) {
+            return v;
+        }
         return x_axis * v.x + y_axis * v.y + z_axis * v.z;
     }
     /// Half a pixel further.
@@ -53,7 +60,14 @@ CAROM_KERNEL TexturePointOf<L> texture_point(const SurfacePointOf<L>& point,
     textured.uv_metres = point.uv_metres;
     textured.footprint = width / L::root(cosine);
     textured.along = textured.across = {zero, zero};
-    if (!needs.uv && !needs.axes) {
+    textured.has_axes = needs.axes;
+    if (needs.axes) {
+        textured.x_axis = point.x_axis;
+        textured.y_axis = point.y_axis;
+        textured.z_axis = point.z_axis;
+        textured.geometric_normal = textured.in_object(normal);
+    }
+    if (!needs.uv && !needs.sides) {
         return textured;
     }
     const Vec3Of<L> projected = wo - normal * towards;
@@ -80,13 +94,9 @@ CAROM_KERNEL TexturePointOf<L> texture_point(const SurfacePointOf<L>& point,
         textured.u_gradient = point.u_gradient;
         textured.v_gradient = point.v_gradient;
     }
-    if (needs.axes) {
+    if (needs.sides) {
         textured.way_along = direction * (width / cosine);
         textured.way_across = beside * width;
-        textured.x_axis = point.x_axis;
-        textured.y_axis = point.y_axis;
-        textured.z_axis = point.z_axis;
-        textured.geometric_normal = textured.in_object(normal);
     }
     return textured;
 }
@@ -298,8 +308,9 @@ CAROM_KERNEL ValueOf<L> number_of(const NumberPick& pick, const TextureValueOf<L
 /// The colour of a texture, not yet limited to [0, 1], and its alpha; of pictures of slopes what
 /// relief_picture.h says. `values`: of the textures before it in its list.
 template <class L>
-CAROM_KERNEL TextureValueOf<L> value_of(const TextureData& texture, const TexturePointOf<L>& point,
-                                        const TextureValueOf<L>* values) {
+CAROM_KERNEL_OUTLINED TextureValueOf<L> value_of(const TextureData& texture,
+                                                 const TexturePointOf<L>& point,
+                                                 const TextureValueOf<L>* values) {
     const auto footprint = point.footprint;
     TextureValueOf<L> value{all_of<L>(texture.plain), L::all(1)};
     switch (texture.kind) {
@@ -340,9 +351,9 @@ CAROM_KERNEL TextureValueOf<L> value_of(const TextureData& texture, const Textur
 
 /// Evaluates the textures [first, last) of a material's list.
 template <class L>
-CAROM_KERNEL_OUTLINED void evaluate(const List<TextureData>& list, const MaterialTextures& textures,
-                                    int first, int last, const TexturePointOf<L>& point,
-                                    TextureValueOf<L>* values) {
+CAROM_KERNEL void evaluate(const List<TextureData>& list, const MaterialTextures& textures,
+                           int first, int last, const TexturePointOf<L>& point,
+                           TextureValueOf<L>* values) {
     for (int i = first; i < last; ++i) {
         values[i] = value_of<L>(list[textures.first + i], point, values);
     }

@@ -20,7 +20,7 @@ inline render::scalar::TexturePointOf<render::scalar::One> texture_point(
     of_kernels.y_axis = point.y_axis;
     of_kernels.z_axis = point.z_axis;
     auto textured = render::scalar::texture_point<render::scalar::One>(
-        of_kernels, {true, true, true}, point.geometric_normal, footprint, 1);
+        of_kernels, {true, true, true, true}, point.geometric_normal, footprint, 1);
     textured.footprint = footprint;  // normals are not quite of length 1
     return textured;
 }

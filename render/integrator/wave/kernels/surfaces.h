@@ -69,7 +69,7 @@ CAROM_KERNEL SurfacePointOf<L> point_on_sphere(const SurfaceTask& task, const Wa
             const RotationOf<L> turn = turn_of<L>(task, hit);
             set_place_on_sphere<L>(metres_from_body, turn.undo(arm), radius, task.group.needs,
                                    point);
-            turn_gradients<L>(turn, point);
+            turn_gradients<L>(turn, task.group.needs, point);
         } else {
             set_place_on_sphere<L>(metres_from_body, arm, radius, task.group.needs, point);
         }
@@ -149,7 +149,7 @@ CAROM_KERNEL SurfacePointOf<L> point_at(const SurfaceTask& task, const WaveHitOf
         return point_in_body<L>(task, hit, hit.ray);
     }
     const PoseOf<L> body{position_of<L>(task, hit), turn_of<L>(task, hit)};
-    return moved<L>(body, point_in_body<L>(task, hit, body.in_body(hit.ray)));
+    return moved<L>(body, task.group.needs, point_in_body<L>(task, hit, body.in_body(hit.ray)));
 }
 
 /// Within glass paths lose light (Beer and Lambert).
