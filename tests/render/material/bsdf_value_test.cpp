@@ -122,7 +122,7 @@ TEST(Resolve, ShadingNormalTurnedAwayFromTheViewer_FallsBackToTheGeometricOne) {
     hit.geometric_normal = kNormal;
     scalar::clear_texture_place<scalar::One>(hit);
     const auto point =
-        scalar::texture_point<scalar::One>(hit, {true, true, true, true}, kNormal, 1e-3F, 1);
+        scalar::texture_point<scalar::One>(hit, {true, true, false, false}, kNormal, 1e-3F, 1);
     const TexturesOfMaterial& textures = material.textures();
     const auto surface = scalar::resolve_surface<scalar::One>(
         List<TextureData>(textures.list()), textures.numbers(), point, kNormal,
