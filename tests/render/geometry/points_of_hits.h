@@ -14,7 +14,8 @@ CAROM_KERNEL void points_of_hits(render::ShapeKind kind, const Read& read, const
     const RayOf<L> ray{three(7), three(10)};
     const MappedShapeOf<L> shape{map(14), map(26), map(38), three(50), three(53)};
     const SurfacePointOf<L> point =
-        moved<L>(body, {true, true}, point_on_shape<L>(kind, shape, body.in_body(ray), read(13), {true, true}));
+        moved<L>(body, {true, true},
+                 point_on_shape<L>(kind, shape, body.in_body(ray), read(13), {true, true}));
     const Vec3<typename L::Value> vectors[6] = {point.position,       point.geometric_normal,
                                                 point.shading_normal, point.object_position,
                                                 point.u_gradient,     point.v_gradient};
