@@ -27,7 +27,7 @@ struct ExportMaterial {
     double coat = 0;  // weight
     double coat_roughness = 0;
     Vec3 emission{0, 0, 0};
-    double specular = 1;  // weight of the highlight of what is no metal
+    double specular = 1;  // weight of the highlight; metals have their own
     Vec3 sheen{0, 0, 0};  // its colour times its weight
     double opacity = 1;
 };
