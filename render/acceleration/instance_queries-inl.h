@@ -32,8 +32,8 @@ template <Order kOrder, class Query>
 void search_mesh(const SingleRay::Entry& entry, const float& limit, const Query& query,
                  const TriangleTree& mesh) {
     using L = ScalarLanes<float>;
-    const V3f& origin = query.ray.origin;
-    const V3f& direction = query.ray.direction;
+    const V3f& origin = query.line.ray.origin;
+    const V3f& direction = query.line.ray.direction;
     const SingleRay line(
         box_lines<L>({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}),
         entry.enter, 0, limit);
@@ -50,7 +50,8 @@ struct ClosestInstanceOfRay {
         const MeshInstance& instance = tree.instances[leaf];
         const NumberedTree mesh{*instance.mesh, static_cast<std::int32_t>(instance.object)};
         search_mesh<Order::nearest_first>(
-            entry, nearest.limit, ClosestOfRay{mesh, in_mesh(instance, ray), nearest}, mesh.tree);
+            entry, nearest.limit, ClosestOfRay{mesh, SingleLine(in_mesh(instance, ray)), nearest},
+            mesh.tree);
         return false;
     }
 };
@@ -63,8 +64,9 @@ struct AnyInstanceOfRay {
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const SingleRay::Entry& entry) const {
         const MeshInstance& instance = tree.instances[leaf];
-        search_mesh<Order::any>(
-            entry, limit, AnyOfRay{*instance.mesh, in_mesh(instance, ray), limit}, *instance.mesh);
+        search_mesh<Order::any>(entry, limit,
+                                AnyOfRay{*instance.mesh, SingleLine(in_mesh(instance, ray)), limit},
+                                *instance.mesh);
         return limit < 0;
     }
 };
@@ -75,7 +77,7 @@ struct InstancePacketQuery {
     PacketRays& rays;
 
     [[nodiscard]] HWY_INLINE Ray ray(int i) const {
-        Ray ray = one_of(rays, i);
+        Ray ray = one_of(rays, i).ray;
         ray.time = rays.time[i];
         return ray;
     }
@@ -86,13 +88,10 @@ struct InstancePacketQuery {
                            const Make& make) const {
         using L = PacketLanes;
         const PacketTag d;
-        const auto load = [&](const float(&numbers)[3][kPacketLanes]) HWY_ATTR {
-            return Vec3<L::Value>{hn::Load(d, numbers[0]), hn::Load(d, numbers[1]),
-                                  hn::Load(d, numbers[2])};
-        };
         const MeshInstance& instance = tree.instances[leaf];
         const RayOf<L> line =
-            in_mesh<L>(instance, {load(rays.origin), load(rays.direction)}, hn::Load(d, rays.time));
+            in_mesh<L>(instance, {load_vector(rays.origin), load_vector(rays.direction)},
+                       hn::Load(d, rays.time));
         PacketRays local;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             hn::Store(line.origin[axis], d, local.origin[axis]);

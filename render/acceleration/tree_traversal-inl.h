@@ -14,9 +14,12 @@
 #include "render/acceleration/kernels-inl.h"
 #include "render/acceleration/wide_tree.h"
 #include "render/geometry/ray.h"
+#include "render/triangle/moller_trumbore-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
+
+namespace kernels = triangle::HWY_NAMESPACE;
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -165,6 +168,21 @@ struct ChildOrder {
     }
 };
 
+/// How large a ray's coordinates are, by sum_of_sizes().
+template <class L>
+struct RaySizeOf {
+    ValueOf<L> origin, direction;
+};
+template <class L>
+HWY_INLINE RaySizeOf<L> size_of(const RayOf<L>& ray) {
+    return {kernels::sum_of_sizes<L>(ray.origin), kernels::sum_of_sizes<L>(ray.direction)};
+}
+
+HWY_INLINE Vec3Of<PacketLanes> load_vector(const float (&numbers)[3][kPacketLanes]) {
+    const PacketTag d;
+    return {hn::Load(d, numbers[0]), hn::Load(d, numbers[1]), hn::Load(d, numbers[2])};
+}
+
 /// A ray in each lane, from distance 0 on.
 struct alignas(64) PacketRays {
     static constexpr bool kIsPacket = true;
@@ -177,21 +195,35 @@ struct alignas(64) PacketRays {
     struct alignas(4 * kPacketLanes) Entry {
         float enter[kPacketLanes];
         std::int32_t child;
+
+        Entry() = default;
+        /// Copied as it is read: loads of whole vectors wait long for stores of their parts.
+        HWY_INLINE Entry(const Entry& other) { *this = other; }
+        HWY_INLINE Entry& operator=(const Entry& other) {
+            const PacketTag d;
+            hn::Store(hn::Load(d, other.enter), d, enter);
+            child = other.child;
+            return *this;
+        }
     };
 
     float origin[3][kPacketLanes];
     float direction[3][kPacketLanes];
     float low[3][kPacketLanes], high[3][kPacketLanes], inverse[3][kPacketLanes];  // see BoxLines
+    float origin_size[kPacketLanes], direction_size[kPacketLanes];                // see RaySizeOf
     float start[kPacketLanes];  // boxes count from here, and what is in them
     float limit[kPacketLanes];  // the search ends here; -1 for lanes without a ray
     float time[kPacketLanes];   // only for trees of instances
 
-    /// Sets what box tests need.
+    /// Sets what tests of boxes and leaves need.
     HWY_INLINE void prepare() {
         const PacketTag d;
-        const auto lines = box_lines<PacketLanes>(
-            {hn::Load(d, origin[0]), hn::Load(d, origin[1]), hn::Load(d, origin[2])},
-            {hn::Load(d, direction[0]), hn::Load(d, direction[1]), hn::Load(d, direction[2])});
+        const RayOf<PacketLanes> ray{load_vector(origin), load_vector(direction)};
+        const auto& [o, w] = ray;
+        const auto lines = box_lines<PacketLanes>({o.x, o.y, o.z}, {w.x, w.y, w.z});
+        const auto size = size_of<PacketLanes>(ray);
+        hn::Store(size.origin, d, origin_size);
+        hn::Store(size.direction, d, direction_size);
         for (int axis = 0; axis < 3; ++axis) {
             hn::Store(lines.low[axis], d, low[axis]);
             hn::Store(lines.high[axis], d, high[axis]);
@@ -281,10 +313,7 @@ struct alignas(64) PacketRays {
             }
         }
         for (int i = 0; i < order.count; ++i) {
-            Entry& child = waiting.entries[waiting.count++];
-            const Entry& next = found[order.places[i].index];
-            hn::Store(hn::Load(d, next.enter), d, child.enter);
-            child.child = next.child;
+            waiting.entries[waiting.count++] = found[order.places[i].index];
         }
         return false;
     }
@@ -297,16 +326,17 @@ template <Order kOrder, bool kMoving = false, class Nodes, class Rays, class Que
 HWY_INLINE void traverse(const Nodes& tree, const Rays& rays, typename Rays::Entry current,
                          const Query& query) {
     WaitingChildren<typename Rays::Entry> waiting;
-    const auto go_alone = [&]() HWY_ATTR {
+    const auto go_alone = [&]() HWY_ATTR __attribute__((always_inline)) {
         if constexpr (Rays::kIsPacket) {
-            return rays.go_alone(current, [&](int ray, float enter) HWY_ATTR {
-                const SingleRay::Entry start{enter, current.child};
-                if (current.child < 0) {
-                    query.of_one(ray)(static_cast<std::uint32_t>(-1 - current.child), start);
-                } else {
-                    traverse<kOrder>(tree, rays.single(ray), start, query.of_one(ray));
-                }
-            });
+            return rays.go_alone(
+                current, [&](int ray, float enter) HWY_ATTR __attribute__((always_inline)) {
+                    const SingleRay::Entry start{enter, current.child};
+                    if (current.child < 0) {
+                        query.of_one(ray)(static_cast<std::uint32_t>(-1 - current.child), start);
+                    } else {
+                        traverse<kOrder>(tree, rays.single(ray), start, query.of_one(ray));
+                    }
+                });
         } else {
             return false;
         }

@@ -168,7 +168,7 @@ HWY_INLINE ClosestInstanceOfPacket closest_query(const InstanceTree& tree, Packe
 }
 HWY_INLINE ClosestOfRay closest_query(const TriangleTree& tree, const Ray& ray,
                                       const NearestOfRay& nearest) {
-    return {{tree}, ray, nearest};
+    return {{tree}, SingleLine(ray), nearest};
 }
 HWY_INLINE ClosestInstanceOfRay closest_query(const InstanceTree& tree, const Ray& ray,
                                               const NearestOfRay& nearest) {
@@ -181,7 +181,7 @@ HWY_INLINE AnyInstanceOfPacket any_query(const InstanceTree& tree, PacketRays& r
     return {{tree, rays}};
 }
 HWY_INLINE AnyOfRay any_query(const TriangleTree& tree, const Ray& ray, float& limit) {
-    return {tree, ray, limit};
+    return {tree, SingleLine(ray), limit};
 }
 HWY_INLINE AnyInstanceOfRay any_query(const InstanceTree& tree, const Ray& ray, float& limit) {
     return {tree, ray, limit};

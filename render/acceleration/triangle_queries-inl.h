@@ -17,46 +17,57 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-namespace kernels = triangle::HWY_NAMESPACE;
+/// Hits of which some lanes are in doubt, as `exact(lane)` has them there. Not inlined, because it
+/// is rare.
+template <class L, class Exact>
+HWY_NOINLINE HWY_ATTR kernels::HitIn<L> without_doubt(ValueOf<L> t, ValueOf<L> u, ValueOf<L> v,
+                                                      MaskOf<L> valid, MaskOf<L> is_doubtful,
+                                                      const Exact& exact) {
+    alignas(64) float doubts[16], ts[16], us[16], vs[16], is_hit[16];
+    L::store(L::select(is_doubtful, L::all(1), L::all(0)), doubts);
+    L::store(t, ts);
+    L::store(u, us);
+    L::store(v, vs);
+    L::store(L::select(valid, L::all(1), L::all(0)), is_hit);
+    for (int lane = 0; lane < L::count(); ++lane) {
+        if (doubts[lane] == 0) {
+            continue;
+        }
+        if (const std::optional<TriangleHit> found = exact(lane)) {
+            ts[lane] = found->t;
+            us[lane] = found->u;
+            vs[lane] = found->v;
+            is_hit[lane] = 1;
+        }
+    }
+    return {L::load(ts), L::load(us), L::load(vs), L::is_less(L::all(0), L::load(is_hit))};
+}
 
 /// Tests rays with triangles, one of both in each lane, so that no ray passes between triangles
 /// with a common edge. `exact(lane)` answers as triangle_hit() where that is in doubt.
 template <class L, class Exact>
 HWY_INLINE kernels::HitIn<L> test(const RayOf<L>& ray, ValueOf<L> t_min,
-                                  const kernels::Corners<L>& corners, ValueOf<L> error,
-                                  const Exact& exact) {
+                                  const kernels::MollerTrumbore::Record<L>& triangles,
+                                  ValueOf<L> error, const Exact& exact) {
     auto [hit, is_doubtful] = kernels::sure_hit<L>(
-        kernels::RayIn<L>{ray.origin, ray.direction, t_min, L::all(kInfinity)}, corners, error);
+        kernels::RayIn<L>{ray.origin, ray.direction, t_min, L::all(kInfinity)}, triangles, error);
     if (HWY_UNLIKELY(!L::none(is_doubtful))) {
-        alignas(64) float doubts[16], t[16], u[16], v[16], is_hit[16];
-        L::store(L::select(is_doubtful, L::all(1), L::all(0)), doubts);
-        L::store(hit.t, t);
-        L::store(hit.u, u);
-        L::store(hit.v, v);
-        L::store(L::select(hit.valid, L::all(1), L::all(0)), is_hit);
-        for (int lane = 0; lane < L::count(); ++lane) {
-            if (doubts[lane] == 0) {
-                continue;
-            }
-            if (const std::optional<TriangleHit> found = exact(lane)) {
-                t[lane] = found->t;
-                u[lane] = found->u;
-                v[lane] = found->v;
-                is_hit[lane] = 1;
-            }
-        }
-        hit = {L::load(t), L::load(u), L::load(v), L::is_less(L::all(0), L::load(is_hit))};
+        const kernels::HitIn<L> sure =
+            without_doubt<L>(hit.t, hit.u, hit.v, hit.valid, is_doubtful, exact);
+        hit.t = sure.t;
+        hit.u = sure.u;
+        hit.v = sure.v;
+        hit.valid = sure.valid;
     }
     return hit;
 }
 
 /// The error of test() for all triangles of a leaf: at least that of triangle_hit() for each.
 template <class L>
-HWY_INLINE ValueOf<L> doubt_in(const LeafSlab& slab, const RayOf<L>& ray) {
+HWY_INLINE ValueOf<L> doubt_in(const LeafSlab& slab, const RaySizeOf<L>& ray) {
     constexpr float kRounding = 1.0001f;
-    const Vec3Of<L>& o = ray.origin;
-    const auto way = L::size(o.x) + L::size(o.y) + L::size(o.z) + L::all(3 * slab.size);
-    return kernels::doubt<L>(ray.direction, L::all(kRounding * slab.edge), way);
+    return kernels::doubt<L>(ray.direction, L::all(kRounding * slab.edge),
+                             ray.origin + L::all(3 * slab.size));
 }
 
 /// The triangles of a leaf, from `lane` on, for one ray.
@@ -69,8 +80,9 @@ HWY_INLINE kernels::HitIn<ChildLanes> test_block(const TriangleBlock& block, int
                               hn::Load(d, numbers[1].values + lane),
                               hn::Load(d, numbers[2].values + lane)};
     };
-    return test<L>({all_of<L>(ray.origin), all_of<L>(ray.direction)}, L::all(ray.t_min),
-                   {load(block.corners[0]), load(block.corners[1]), load(block.corners[2])},
+    const auto triangles = kernels::MollerTrumbore::prepare<L>(
+        {load(block.corners[0]), load(block.corners[1]), load(block.corners[2])});
+    return test<L>({all_of<L>(ray.origin), all_of<L>(ray.direction)}, L::all(ray.t_min), triangles,
                    L::all(error), [&](int k) {
                        Ray whole = ray;
                        whole.t_max = kInfinity;
@@ -78,10 +90,22 @@ HWY_INLINE kernels::HitIn<ChildLanes> test_block(const TriangleBlock& block, int
                                            block.corner(1, lane + k), block.corner(2, lane + k));
                    });
 }
-HWY_INLINE float doubt_in(const LeafSlab& slab, const Ray& ray) {
-    using L = ScalarLanes<float>;
-    return doubt_in<L>(slab, {all_of<L>(ray.origin), all_of<L>(ray.direction)});
-}
+
+/// A ray of a search by itself.
+struct SingleLine {
+    Ray ray;  // t_max is not used
+    RaySizeOf<ScalarLanes<float>> size;
+
+    explicit HWY_INLINE SingleLine(const Ray& of)
+        : SingleLine(of, size_of<ScalarLanes<float>>({all_of<ScalarLanes<float>>(of.origin),
+                                                      all_of<ScalarLanes<float>>(of.direction)})) {}
+    HWY_INLINE SingleLine(const Ray& of, const RaySizeOf<ScalarLanes<float>>& size_of_ray)
+        : ray(of), size(size_of_ray) {}
+
+    [[nodiscard]] HWY_INLINE float doubt(const LeafSlab& slab) const {
+        return doubt_in<ScalarLanes<float>>(slab, size);
+    }
+};
 
 /// Whether no triangle of a leaf can be hit before `limit`.
 HWY_INLINE bool stays_beyond(const LeafSlab& slab, const Ray& ray, float limit) {
@@ -116,23 +140,23 @@ struct NumberedTree {
     std::int32_t first_object = 0;
 };
 
-/// The nearest hit of one ray. Of the ray, t_max is not used.
+/// The nearest hit of one ray.
 struct ClosestOfRay {
     NumberedTree all;
-    Ray ray;
+    SingleLine line;
     NearestOfRay nearest;
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const SingleRay::Entry& entry) const {
         const TriangleTree& tree = all.tree;
-        if (stays_beyond(tree.slabs[leaf], ray, nearest.limit)) {
+        if (stays_beyond(tree.slabs[leaf], line.ray, nearest.limit)) {
             return false;
         }
         using L = ChildLanes;
         const ChildTag d;
         const TriangleNames& names = tree.names[leaf];
-        const float error = doubt_in(tree.slabs[leaf], ray);
+        const float error = line.doubt(tree.slabs[leaf]);
         for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
-            const auto hit = test_block(tree.blocks[leaf], lane, ray, error);
+            const auto hit = test_block(tree.blocks[leaf], lane, line.ray, error);
             const auto distance = L::larger(hit.t, L::all(entry.enter));
             const auto near = L::both(hit.valid, L::is_at_most(distance, L::all(nearest.limit)));
             if (L::none(near)) {
@@ -159,17 +183,17 @@ struct ClosestOfRay {
 /// Occlusion of one ray, whose limit becomes -1.
 struct AnyOfRay {
     const TriangleTree& tree;
-    Ray ray;
+    SingleLine line;
     float& limit;
 
     HWY_INLINE bool operator()(std::uint32_t leaf, const SingleRay::Entry& entry) const {
-        if (stays_beyond(tree.slabs[leaf], ray, limit)) {
+        if (stays_beyond(tree.slabs[leaf], line.ray, limit)) {
             return false;
         }
         using L = ChildLanes;
-        const float error = doubt_in(tree.slabs[leaf], ray);
+        const float error = line.doubt(tree.slabs[leaf]);
         for (int lane = 0; lane < kBlockLanes; lane += L::count()) {
-            const auto hit = test_block(tree.blocks[leaf], lane, ray, error);
+            const auto hit = test_block(tree.blocks[leaf], lane, line.ray, error);
             const auto distance = L::larger(hit.t, L::all(entry.enter));
             if (!L::none(L::both(hit.valid, L::is_less(distance, L::all(limit))))) {
                 limit = -1;
@@ -180,12 +204,32 @@ struct AnyOfRay {
     }
 };
 
-[[nodiscard]] HWY_INLINE Ray one_of(const PacketRays& rays, int i) {
+[[nodiscard]] HWY_INLINE SingleLine one_of(const PacketRays& rays, int i) {
     Ray ray;
     ray.origin = V3f(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
     ray.direction = V3f(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
-    return ray;
+    return {ray, {rays.origin_size[i], rays.direction_size[i]}};
 }
+
+/// The edges of a leaf's triangles from their first corners.
+struct BlockEdges {
+    FloatLanes b[3], c[3];  // by axis
+
+    explicit HWY_INLINE BlockEdges(const TriangleBlock& block) {
+        const ChildTag d;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto store = [&](const TriangleBlock& of, int k, FloatLanes& edge) HWY_ATTR {
+                for (int lane = 0; lane < kBlockLanes; lane += ChildLanes::count()) {
+                    const auto first = hn::Load(d, of.corners[0][axis].values + lane);
+                    hn::Store(hn::Load(d, of.corners[k][axis].values + lane) - first, d,
+                              edge.values + lane);
+                }
+            };
+            store(block, 1, b[axis]);
+            store(block, 2, c[axis]);
+        }
+    }
+};
 
 /// What both queries of packets share.
 struct PacketQuery {
@@ -198,14 +242,9 @@ struct PacketQuery {
     HWY_INLINE void test_leaf(std::uint32_t leaf, const PacketRays::Entry& entry,
                               const Offer& offer) const {
         using L = PacketLanes;
-        using Vector = Vec3<L::Value>;
         const PacketTag d;
         const TriangleTree& tree = all.tree;
-        const auto load = [&](const float(&numbers)[3][kPacketLanes]) HWY_ATTR {
-            return Vector{hn::Load(d, numbers[0]), hn::Load(d, numbers[1]),
-                          hn::Load(d, numbers[2])};
-        };
-        const RayOf<L> line{load(rays.origin), load(rays.direction)};
+        const RayOf<L> line{load_vector(rays.origin), load_vector(rays.direction)};
         const auto gone =
             stay_beyond<L>(tree.slabs[leaf], line.origin, line.direction, hn::Load(d, rays.limit));
         const auto meets = L::without(rays.active(entry), gone);
@@ -214,19 +253,20 @@ struct PacketQuery {
         }
         const auto enter = L::select(meets, hn::Load(d, entry.enter), L::all(kInfinity));
         const TriangleBlock& block = tree.blocks[leaf];
-        const auto error = doubt_in<L>(tree.slabs[leaf], line);
+        const auto error = doubt_in<L>(
+            tree.slabs[leaf], {hn::Load(d, rays.origin_size), hn::Load(d, rays.direction_size)});
+        const BlockEdges edges(block);
         for (int k = 0; k < kBlockLanes && tree.names[leaf].object.values[k] >= 0; ++k) {
             const auto in_all = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
-                return Vector{L::all(numbers[0].values[k]), L::all(numbers[1].values[k]),
-                              L::all(numbers[2].values[k])};
+                return Vec3<L::Value>{L::all(numbers[0].values[k]), L::all(numbers[1].values[k]),
+                                      L::all(numbers[2].values[k])};
             };
-            auto hit = test<L>(
-                line, L::all(0),
-                {in_all(block.corners[0]), in_all(block.corners[1]), in_all(block.corners[2])},
-                error, [&](int lane) {
-                    return triangle_hit(one_of(rays, lane), block.corner(0, k), block.corner(1, k),
-                                        block.corner(2, k));
-                });
+            auto hit = test<L>(line, L::all(0),
+                               {in_all(block.corners[0]), in_all(edges.b), in_all(edges.c)}, error,
+                               [&](int lane) {
+                                   return triangle_hit(one_of(rays, lane).ray, block.corner(0, k),
+                                                       block.corner(1, k), block.corner(2, k));
+                               });
             hit.t = L::larger(hit.t, enter);
             offer(k, hit);
         }

@@ -7,11 +7,6 @@
 namespace carom::render {
 namespace {
 
-/// The sum of the sizes of coordinates.
-float size_of(const V3f& v) {
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 /// The sides of the ray on which the edges are, by Plücker products (Jones 2000, "Intersecting a
 /// ray and a triangle with Plücker coordinates", Ray Tracing News 13(1)): for the corners p and q
 /// relative to the origin, d.((p + q) x (q - p)). Of two triangles with a common edge, one has
@@ -43,10 +38,13 @@ std::optional<TriangleHit> exact_hit(const Ray& ray, const V3f& a, const V3f& b,
 
 std::optional<TriangleHit> triangle_hit(const Ray& ray, const V3f& a, const V3f& b, const V3f& c) {
     using L = ScalarLanes<float>;
-    const float edge = std::max(size_of(b - a), size_of(c - a));
-    const float error = triangle::scalar::doubt<L>(ray.direction, edge, size_of(ray.origin - a));
+    const auto triangle = triangle::scalar::MollerTrumbore::prepare<L>({a, b, c});
+    const auto size_of = triangle::scalar::sum_of_sizes<L>;
+    const float edge = std::max(size_of(triangle.edge_b), size_of(triangle.edge_c));
+    const float error =
+        triangle::scalar::doubt<L>(size_of(ray.direction), edge, size_of(ray.origin - a));
     const auto [hit, is_doubtful] = triangle::scalar::sure_hit<L>(
-        {ray.origin, ray.direction, ray.t_min, ray.t_max}, {a, b, c}, error);
+        {ray.origin, ray.direction, ray.t_min, ray.t_max}, triangle, error);
     if (is_doubtful) {
         return exact_hit(ray, a, b, c);
     }

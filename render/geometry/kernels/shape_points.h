@@ -114,8 +114,10 @@ CAROM_KERNEL void turn_gradients(const RotationOf<L>& turn, TextureNeeds needs,
         point.y_axis = turn.apply(point.y_axis);
         point.z_axis = turn.apply(point.z_axis);
     }
-    point.u_gradient = turn.apply(point.u_gradient);
-    point.v_gradient = turn.apply(point.v_gradient);
+    if (needs.uv) {
+        point.u_gradient = turn.apply(point.u_gradient);
+        point.v_gradient = turn.apply(point.v_gradient);
+    }
 }
 
 /// A point given in the axes of a body, in the world's.

@@ -55,15 +55,21 @@ CAROM_KERNEL Vec3Of<L> shift_by_differences(const List<TextureData>& list,
     return along_side(point.along, point.way_along) + along_side(point.across, point.way_across);
 }
 
-/// What textures say about a surface besides its base.
+/// What the textures of a material say about a surface.
 template <class L>
-CAROM_KERNEL_OUTLINED void resolve_textures(const List<TextureData>& list,
-                                            const MaterialTextures& textures,
-                                            const TexturePointOf<L>& point, ResolvedOf<L>& surface,
-                                            TextureReliefOf<L>& relief) {
+struct TexturedSurfaceOf {
+    Vec3Of<L> base, normal_shift;
+    ValueOf<L> numbers[kTexturedNumbers];
+};
+
+template <class L>
+CAROM_KERNEL_OUTLINED TexturedSurfaceOf<L> resolve_textures(const List<TextureData>& list,
+                                                            const MaterialTextures& textures,
+                                                            const TexturePointOf<L>& point) {
+    const auto zero = L::all(0);
     TextureValueOf<L> values[MaterialTextures::kMost];
     evaluate<L>(list, textures, 0, textures.of_surface, point, values);
-    surface.base = values[textures.base].colour;
+    TextureReliefOf<L> relief{{zero, zero, zero}, {zero, zero, zero}, zero};
     const TextureData& base = list[textures.first + textures.base];
     switch (textures.relief.kind) {
         case ReliefParameters::Kind::own:
@@ -81,6 +87,9 @@ CAROM_KERNEL_OUTLINED void resolve_textures(const List<TextureData>& list,
         case ReliefParameters::Kind::none:
             break;
     }
+    TexturedSurfaceOf<L> surface;
+    surface.base = values[textures.base].colour;
+    surface.normal_shift = relief.normal_shift;
     for (int k = 0; k < kTexturedNumbers; ++k) {
         auto number = limited<L>(number_of<L>(textures.numbers[k], values), 0, 1);
         if (k == kRoughness || k == kCoatRoughness) {
@@ -88,6 +97,7 @@ CAROM_KERNEL_OUTLINED void resolve_textures(const List<TextureData>& list,
         }
         surface.numbers[k] = number;
     }
+    return surface;
 }
 
 /// All lanes have the same material.
@@ -102,19 +112,26 @@ CAROM_KERNEL ResolvedOf<L> resolve_surface(const List<TextureData>& list,
     surface.from_behind = L::is_less(dot(geometric_normal, wo), zero);
     surface.geometric_normal = flipped<L>(surface.from_behind, geometric_normal);
     Vec3Of<L> normal = flipped<L>(surface.from_behind, shading_normal);
-    TextureReliefOf<L> relief{{zero, zero, zero}, {zero, zero, zero}, zero};
+    Vec3Of<L> shift{zero, zero, zero};
     const TextureData& base = list[textures.first + textures.base];
     if (!textures.only_base) {
-        resolve_textures<L>(list, textures, point, surface, relief);
+        const TexturedSurfaceOf<L> textured = resolve_textures<L>(list, textures, point);
+        surface.base = textured.base;
+        shift = textured.normal_shift;
+        for (int k = 0; k < kTexturedNumbers; ++k) {
+            surface.numbers[k] = textured.numbers[k];
+        }
     } else if (textures.relief.kind == ReliefParameters::Kind::own) {
-        relief = relief_of_cloth<L>(base, point);
-        relief.normal_shift = relief.normal_shift * L::all(textures.relief.strength);
+        const TextureReliefOf<L> relief = relief_of_cloth<L>(base, point);
         surface.base = relief.colour;
+        shift = relief.normal_shift * L::all(textures.relief.strength);
+    } else if (base.kind == TextureKind::plain) {
+        surface.base = all_of<L>(base.plain);
     } else {
         surface.base = value_of<L>(base, point, nullptr).colour;
     }
     if (textures.relief.kind != ReliefParameters::Kind::none) {
-        const Vec3Of<L> shift = flipped<L>(surface.from_behind, relief.normal_shift);
+        shift = flipped<L>(surface.from_behind, shift);
         normal = unit<L>(normal + shift - normal * dot(normal, shift));
     }
     surface.base = {limited<L>(surface.base.x, 0, 1), limited<L>(surface.base.y, 0, 1),

@@ -5,30 +5,35 @@ struct SureHitOf {
     typename L::Mask is_doubtful;  // no hit yet, but perhaps one: see triangle_hit()
 };
 
-/// A bound on the error of the products that Möller and Trumbore's test compares, for edges and a
-/// way from the ray's origin to the corners that have these sums of coordinates at most. A product
-/// of three vectors has at most seven roundings, and the sum of all weights has three products.
+/// The sum of the sizes of a vector's coordinates.
 template <class L>
-CAROM_KERNEL typename L::Value doubt(const Vec3<typename L::Value>& direction,
-                                     typename L::Value edge, typename L::Value way) {
+CAROM_KERNEL typename L::Value sum_of_sizes(const Vec3<typename L::Value>& v) {
+    return L::size(v.x) + L::size(v.y) + L::size(v.z);
+}
+
+/// A bound on the error of the products that Möller and Trumbore's test compares, where the ray's
+/// direction, the edges and the way from its origin to the corners have these sums of sizes at
+/// most. A product of three vectors has at most seven roundings, and the sum of all weights has
+/// three products.
+template <class L>
+CAROM_KERNEL typename L::Value doubt(typename L::Value direction, typename L::Value edge,
+                                     typename L::Value way) {
     constexpr float kRoundings = 0x1p-20f;
-    const auto size = L::size(direction.x) + L::size(direction.y) + L::size(direction.z);
-    return L::all(kRoundings) * size * edge * (way + edge);
+    return L::all(kRoundings) * direction * edge * (way + edge);
 }
 
 /// Möller and Trumbore 1997, "Fast, minimum storage ray/triangle intersection", Journal of Graphics
-/// Tools 2(1), from the corners alone, so that triangles with a common edge agree on where it is.
-/// `error`: from doubt(); a larger one gives more doubtful lanes and no other hits.
+/// Tools 2(1). `error`: from doubt(); a larger one gives more doubtful lanes and no other hits.
 template <class L>
-CAROM_KERNEL SureHitOf<L> sure_hit(const RayIn<L>& ray, const Corners<L>& corners,
+CAROM_KERNEL SureHitOf<L> sure_hit(const RayIn<L>& ray, const MollerTrumbore::Record<L>& triangle,
                                    typename L::Value error) {
     const auto none = missed<L>();
-    const auto edge_b = corners.b - corners.a;
-    const auto edge_c = corners.c - corners.a;
+    const auto& edge_b = triangle.edge_b;
+    const auto& edge_c = triangle.edge_c;
     const auto p = cross(ray.direction, edge_c);
     const auto below = dot(edge_b, p);
     const auto whole = L::size(below);
-    const auto from_a = ray.origin - corners.a;
+    const auto from_a = ray.origin - triangle.a;
     // Weights as multiples of `whole`.
     const auto u = L::flip_sign(dot(from_a, p), below);
     const auto low = L::all(0) - error;

@@ -165,10 +165,11 @@ CAROM_KERNEL void hit_shapes(const Scene& scene, const RayOf<L>& ray, const Vec3
     sum.add(on_sphere.position);
     const auto on_box = point_on_upright_box<L>(ray, profile.x, profile, profile, {true, true});
     sum.add(on_box.uv);
-    const triangles::Corners<L> corners{ray.origin, ray.direction, profile};
-    const auto on_triangle =
-        triangles::sure_hit<L>(triangles::RayIn<L>{ray.direction, profile, 0, profile.x}, corners,
-                               triangles::doubt<L>(profile, profile.x, profile.y));
+    const auto triangle =
+        triangles::MollerTrumbore::prepare<L>({ray.origin, ray.direction, profile});
+    const auto on_triangle = triangles::sure_hit<L>(
+        triangles::RayIn<L>{ray.direction, profile, 0, profile.x}, triangle,
+        triangles::doubt<L>(triangles::sum_of_sizes<L>(profile), profile.x, profile.y));
     sum.add(on_triangle.hit.valid ? on_triangle.hit.t + on_triangle.hit.u : 0);
 }
 

@@ -60,12 +60,13 @@ CAROM_KERNEL void set_layers(const WaveMaterials& materials, IntOf<L> material,
         const auto of_all = [&](const float* row)
                                 CAROM_KERNEL_ATTRIBUTE { return L::all(row[first]); };
         set_constants<L>(materials, of_all, layers);
+        layers.first = L::all_int(materials.first_albedo[first]);
     } else {
         const auto of_each = [&](const float* row)
                                  CAROM_KERNEL_ATTRIBUTE { return L::gather(row, material); };
         set_constants<L>(materials, of_each, layers);
+        layers.first = L::gather_int(materials.first_albedo.data(), material);
     }
-    layers.first = L::gather_int(materials.first_albedo.data(), material);
 }
 
 /// The layers of the surfaces at vertices from `first` on.
