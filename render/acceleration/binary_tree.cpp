@@ -134,10 +134,12 @@ class BinaryBuilder {
         const auto halves = split(range, node.area, depth);
         if (halves) {
             if (range.count > kManyItems) {
-                std::array<std::vector<BinaryNode>, 2> parts;
-                parallel_for(2, [&](std::size_t k) { build(halves->at(k), depth + 1, parts[k]); });
-                node.left = append(parts[0], all);
-                node.right = append(parts[1], all);
+                std::vector<BinaryNode> right;
+                node.left = static_cast<std::uint32_t>(all.size());
+                parallel_for(2, [&](std::size_t k) {
+                    build(halves->at(k), depth + 1, k == 0 ? all : right);
+                });
+                node.right = append(right, all);
             } else {
                 node.left = build(halves->at(0), depth + 1, all);
                 node.right = build(halves->at(1), depth + 1, all);

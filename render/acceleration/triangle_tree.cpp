@@ -189,6 +189,7 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
     if (remove_repeated(meshes, result.tree.order, places, bounds)) {
         result.tree = build_wide_tree(bounds);
     }
+    bounds = {};
     const std::size_t leaves = result.tree.leaves.size();
     result.slabs.resize(leaves);
     result.blocks.resize(leaves);
