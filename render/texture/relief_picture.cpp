@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/colour.h"
 #include "render/image_files/picture_light.h"
 #include "render/image_files/read_picture.h"
+#include "render/texture/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -20,18 +20,7 @@ ColourWithAlpha slopes(float right, float up) {
 float height_of(const RawPicture& picture, std::size_t pixel, PictureChannel channel) {
     const PixelLight light = pixel_light(picture, pixel, true);
     const V3f colour = light.alpha > 0 ? light.colour / light.alpha : light.colour;
-    switch (channel) {
-        case PictureChannel::red:
-            return colour.x;
-        case PictureChannel::green:
-            return colour.y;
-        case PictureChannel::blue:
-            return colour.z;
-        case PictureChannel::alpha:
-            return light.alpha;
-        default:
-            return luminance(colour);
-    }
+    return scalar::part_of<scalar::One>({colour, light.alpha}, channel);
 }
 
 RawPicture read_colours(const std::string& path) {
