@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "render/image_files/picture_light.h"
-#include "render/image_files/read_picture.h"
 #include "render/texture/scalar_kernels.h"
 
 namespace carom::render {
@@ -23,16 +22,17 @@ float height_of(const RawPicture& picture, std::size_t pixel, PictureChannel cha
     return scalar::part_of<scalar::One>({colour, light.alpha}, channel);
 }
 
-RawPicture read_colours(const std::string& path) {
-    RawPicture picture = read_picture(path);
+RawPicture read_colours(const std::string& path, const ReadPicture& read) {
+    RawPicture picture = read(path);
     check_fits(path, picture, ColourPyramid::fits(picture.width, picture.height));
     return picture;
 }
 
 }  // namespace
 
-std::shared_ptr<const SlopePicture> SlopePicture::of_normals(const std::string& path) {
-    const RawPicture picture = read_colours(path);
+std::shared_ptr<const SlopePicture> SlopePicture::of_normals(const std::string& path,
+                                                             const ReadPicture& read) {
+    const RawPicture picture = read_colours(path, read);
     const auto width = static_cast<std::size_t>(picture.width);
     const auto slope_at = [&](int x, int y) {
         const std::size_t pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
@@ -45,8 +45,9 @@ std::shared_ptr<const SlopePicture> SlopePicture::of_normals(const std::string& 
 }
 
 std::shared_ptr<const SlopePicture> SlopePicture::of_heights(const std::string& path,
-                                                             PictureChannel channel) {
-    const RawPicture picture = read_colours(path);
+                                                             PictureChannel channel,
+                                                             const ReadPicture& read) {
+    const RawPicture picture = read_colours(path, read);
     std::vector<float> heights;
     heights.reserve(picture.pixel_count());
     for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) {

@@ -26,7 +26,6 @@ struct TextureTile {
     Vec2 repeats{1, 1};
     Vec2 offset{0, 0};
 
-    [[nodiscard]] Vec2 in_texture(const Vec2& c) const { return c * repeats - offset; }
     [[nodiscard]] Vec2 coordinates(const Vec2& t) const { return (t + offset) / repeats; }
     bool operator==(const TextureTile&) const = default;
 };
