@@ -153,11 +153,15 @@ TEST_F(TextureValues, OfEveryKindOfTexture_AreThoseOfTheRenderer) {
     picture.offset = {0.1, 0.3};
     picture.tint = {0.9, 0.5, 0.1};
     const render::CheckerTexture checker{{1, 0.5, 0}, {0, 0, 1}, 0.125, turned};
+    render::WoodTexture wood;
+    wood.placement = turned;
+    render::ClothTexture cloth;
+    cloth.placement = turned;
     const auto mix = std::make_shared<const render::MixTexture>(render::MixTexture{
-        checker, picture, carom::testing::number(picture, PictureChannel::green, {0.2, 0.7})});
+        wood, picture, carom::testing::number(picture, PictureChannel::green, {0.2, 0.7})});
     for (const render::ColourSource& source :
-         {render::ColourSource(picture), render::ColourSource(checker),
-          render::ColourSource(mix)}) {
+         {render::ColourSource(picture), render::ColourSource(checker), render::ColourSource(wood),
+          render::ColourSource(cloth), render::ColourSource(mix)}) {
         const TextureGroup textures = group(source);
         const Vec2 pixel = baked_grid(textures, pictures_).pixel();
         EXPECT_NEAR(pixel.x, pixel.y, 1e-3 * pixel.x);
