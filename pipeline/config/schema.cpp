@@ -339,6 +339,18 @@ class Schema {
         return json + "\n    }";
     }
 
+    /// Refuses two keys beside each other. In a map that may be merged, a key that is null takes
+    /// that of an included file away and so contradicts none.
+    static std::string contradiction(const std::string& a, const std::string& b, bool is_whole) {
+        Members both{{"required", quoted_array({a, b})}};
+        if (!is_whole) {
+            const std::string given = object({{"not", object({{"type", json_string("null")}})}});
+            both.emplace_back("patternProperties",
+                              object({{fmt::format("^({}|{})$", a, b), given}}));
+        }
+        return object({{"not", object(both)}});
+    }
+
     static std::vector<std::string> rules_of(const MapInfo& map, bool is_whole) {
         std::vector<std::string> rules;
         for (const KeyGroup& group : map.groups) {
@@ -346,9 +358,7 @@ class Schema {
             for (std::size_t i = 0; i < group.keys.size(); ++i) {
                 present.push_back(object({{"required", quoted_array({group.keys[i]})}}));
                 for (std::size_t j = 0; j < i; ++j) {
-                    rules.push_back(object(
-                        {{"not",
-                          object({{"required", quoted_array({group.keys[j], group.keys[i]})}})}}));
+                    rules.push_back(contradiction(group.keys[j], group.keys[i], is_whole));
                 }
             }
             if (is_whole && group.rule == KeyGroup::Rule::exactly_one) {

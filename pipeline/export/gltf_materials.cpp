@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/field_hasher.h"
+#include "pipeline/export/textures/texture_values.h"
 
 namespace carom::pipeline {
 
@@ -172,12 +173,12 @@ class MaterialJson {
         }
         const render::ColourSource base = untinted_base();
         return pictures_
-            .made(
-                of_base, plain_.name + " base", hash_of(is_bare() ? "bare colour" : "colour", base),
-                [&] {
-                    return bake_colour(baked_grid(of_base, store_),
-                                       colour_values(base, of_base.shared, store_, is_bare()), {});
-                })
+            .made(of_base, plain_.name + " base",
+                  hash_of(is_bare() ? "bare colour" : "colour", base),
+                  [&] {
+                      return bake_colour(baked_grid(of_base, store_),
+                                         colour_values(base, of_base, store_, is_bare()), {});
+                  })
             .reference;
     }
 
@@ -196,9 +197,8 @@ class MaterialJson {
         const GltfTextures::Made made = pictures_.made(
             textures, plain_.name + " opacity", hash_of("cut out", base, surface_.opacity), [&] {
                 return bake_colour(
-                    baked_grid(textures, store_),
-                    colour_values(base, textures.shared, store_, is_bare()),
-                    number_values(surface_.opacity, textures.shared, store_, NumberUse::mask));
+                    baked_grid(textures, store_), colour_values(base, textures, store_, is_bare()),
+                    number_values(surface_.opacity, textures, store_, NumberUse::mask));
             });
         texture = made.reference;
         // Making a picture smaller blurs the edges of what is cut out.
@@ -253,21 +253,25 @@ class MaterialJson {
         }
         FieldHasher hasher(FileHash::stamp);
         hasher.add("numbers");
-        std::vector<NumberAt> numbers(3);
         for (std::size_t i = 0; i < slots.size(); ++i) {
             if (varies(slots[i])) {
                 factors[i] = 1;
-                const auto channel = static_cast<std::size_t>(slots[i].channel);
-                numbers.resize(std::max(numbers.size(), channel + 1));
-                numbers[channel] = number_values(slots[i].number, shared->shared, store_);
                 hasher.add(slots[i].channel);
                 hasher.add_value(slots[i].number);
             }
         }
-        return pictures_
-            .made(*shared, plain_.name + " " + name, hasher.finish(),
-                  [&] { return bake_numbers(baked_grid(*shared, store_), numbers); })
-            .reference;
+        const auto make = [&] {
+            std::vector<NumberAt> numbers(3);
+            for (const Slot& slot : slots) {
+                if (varies(slot)) {
+                    const auto channel = static_cast<std::size_t>(slot.channel);
+                    numbers.resize(std::max(numbers.size(), channel + 1));
+                    numbers[channel] = number_values(slot.number, *shared, store_);
+                }
+            }
+            return bake_numbers(baked_grid(*shared, store_), numbers);
+        };
+        return pictures_.made(*shared, plain_.name + " " + name, hasher.finish(), make).reference;
     }
 
     static bool varies(const Slot& slot) {
@@ -330,39 +334,29 @@ class MaterialJson {
         if (!relief) {
             return;
         }
-        if (const auto* normal = std::get_if<render::NormalPicture>(&surface_.relief)) {
-            Json texture = normal_texture(*relief, *normal);
-            if (normal->strength != 1) {
-                texture["scale"] = normal->strength;
-            }
-            result_["normalTexture"] = std::move(texture);
-            return;
+        const auto* normal = std::get_if<render::NormalPicture>(&surface_.relief);
+        Json texture = normal != nullptr && is_usable(*normal)
+                           ? pictures_.file(*relief, normal->image.file)
+                           : made_relief(*relief);
+        if (normal != nullptr && normal->strength != 1) {
+            texture["scale"] = normal->strength;
         }
-        const auto& height = std::get<render::HeightTexture>(surface_.relief);
-        const auto make = [&] {
-            const NumberAt number = number_values(height.number, relief->shared, store_);
-            const auto depth = static_cast<float>(height.depth);
-            return bake_relief(
-                baked_grid(*relief, store_), [&](const Vec2& c) { return depth * number(c); },
-                lengths_);
-        };
-        result_["normalTexture"] =
-            pictures_
-                .made(*relief, plain_.name + " relief", hash_of("relief", height, lengths_), make)
-                .reference;
+        result_["normalTexture"] = std::move(texture);
     }
 
-    Json normal_texture(const TextureGroup& relief, const render::NormalPicture& normal) {
+    [[nodiscard]] bool is_usable(const render::NormalPicture& normal) {
         const PictureFacts facts = store_.facts(normal.image.file);
-        if (facts.is_plain && !facts.is_grey() && !store_.is_too_large(facts)) {
-            return pictures_.file(relief, normal.image.file);
-        }
+        return facts.is_plain && !facts.is_grey() && !store_.is_too_large(facts);
+    }
+
+    Json made_relief(const TextureGroup& relief) {
+        const auto make = [&] {
+            return bake_normals(baked_grid(relief, store_),
+                                normal_values(surface_.relief, relief, lengths_, store_));
+        };
         return pictures_
-            .made(relief, plain_.name + " normal", hash_of("normal", normal.image),
-                  [&] {
-                      return bake_normals(baked_grid(relief, store_),
-                                          normal_values(normal, store_));
-                  })
+            .made(relief, plain_.name + " relief", hash_of("relief", surface_.relief, lengths_),
+                  make)
             .reference;
     }
 
@@ -391,7 +385,7 @@ class MaterialJson {
             return image->tint;
         }
         const BakedGrid grid = baked_grid(textures, store_);
-        const ColourAt colour = colour_values(surface_.emission, textures.shared, store_);
+        const ColourAt colour = colour_values(surface_.emission, textures, store_);
         const float brightest = std::max(1.0F, largest_value(grid, colour));
         const auto dimmed = [&](const Vec2& c) { return colour(c) / brightest; };
         result_["emissiveTexture"] =
@@ -431,12 +425,14 @@ class MaterialJson {
         Json values;
         if (textures) {
             colour = surface_.sheen_colour;
-            const NumberAt weight = number_values(surface_.sheen, textures->shared, store_);
-            const auto grey = [&](const Vec2& c) { return Imath::V3f(weight(c)); };
+            const auto make = [&] {
+                const NumberAt weight = number_values(surface_.sheen, *textures, store_);
+                const auto grey = [&](const Vec2& c) { return Imath::V3f(weight(c)); };
+                return bake_colour(baked_grid(*textures, store_), grey, {});
+            };
             values["sheenColorTexture"] =
                 pictures_
-                    .made(*textures, plain_.name + " sheen", hash_of("sheen", surface_.sheen),
-                          [&] { return bake_colour(baked_grid(*textures, store_), grey, {}); })
+                    .made(*textures, plain_.name + " sheen", hash_of("sheen", surface_.sheen), make)
                     .reference;
         }
         if (has_any(colour)) {

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "core/field_hasher.h"
+#include "pipeline/export/textures/texture_values.h"
 
 namespace carom::pipeline {
 
@@ -160,7 +161,7 @@ class MaterialWriter {
         const Hash128 hash = hash_of(is_bare ? "bare colour" : "colour", surface_.base);
         UsdaTexture texture = made(*textures, "base", hash, [&] {
             return bake_colour(baked_grid(*textures, store_),
-                               colour_values(surface_.base, textures->shared, store_, is_bare), {});
+                               colour_values(surface_.base, *textures, store_, is_bare), {});
         });
         texture.is_srgb = true;
         return texture;
@@ -175,7 +176,7 @@ class MaterialWriter {
         double strength = surface_.emission_strength;
         if (!texture) {
             const BakedGrid grid = baked_grid(*textures, store_);
-            const ColourAt colour = colour_values(surface_.emission, textures->shared, store_);
+            const ColourAt colour = colour_values(surface_.emission, *textures, store_);
             const float brightest = std::max(1.0F, largest_value(grid, colour));
             const auto dimmed = [&](const Vec2& c) { return colour(c) / brightest; };
             texture = made(*textures, "emission", hash_of("light", surface_.emission),
@@ -226,12 +227,12 @@ class MaterialWriter {
         const render::ImageTexture* image = image_of(number);
         const auto channel = image != nullptr ? channel_in_file(*image, use) : std::nullopt;
         if (!channel) {
-            UsdaTexture texture = made(
-                *textures, name, hash_of(use == NumberUse::mask ? "opacity" : "number", number),
-                [&] {
-                    const NumberAt value = number_values(number, textures->shared, store_, use);
-                    return bake_numbers(baked_grid(*textures, store_), {value, value, value});
-                });
+            UsdaTexture texture =
+                made(*textures, name,
+                     hash_of(use == NumberUse::mask ? "opacity" : "number", number), [&] {
+                         const NumberAt value = number_values(number, *textures, store_, use);
+                         return bake_numbers(baked_grid(*textures, store_), {value, value, value});
+                     });
             texture.output = "r";
             return texture;
         }
@@ -270,7 +271,7 @@ class MaterialWriter {
                    surface_.opacity.texture()->range == Vec2(0, 1);
         }
         const NumberAt value =
-            number_values(surface_.opacity, texture.group.shared, store_, NumberUse::mask);
+            number_values(surface_.opacity, texture.group, store_, NumberUse::mask);
         const BakedGrid grid = baked_grid(texture.group, store_);
         for (int y = 0; y < grid.height; ++y) {
             for (int x = 0; x < grid.width; ++x) {
@@ -283,35 +284,28 @@ class MaterialWriter {
         return true;
     }
 
+    [[nodiscard]] bool is_usable(const render::NormalPicture& normal) {
+        const PictureFacts facts = store_.facts(normal.image.file);
+        return facts.is_plain && !facts.is_grey();
+    }
+
     [[nodiscard]] std::optional<UsdaTexture> relief() {
         const std::optional<TextureGroup> textures = group(surface_.relief);
         if (!textures) {
             return std::nullopt;
         }
+        const auto* normal = std::get_if<render::NormalPicture>(&surface_.relief);
+        const double strength = normal != nullptr ? normal->strength : 1;
         UsdaTexture texture;
-        texture.group = *textures;
-        double strength = 1;
-        if (const auto* normal = std::get_if<render::NormalPicture>(&surface_.relief)) {
-            const PictureFacts facts = store_.facts(normal->image.file);
-            strength = normal->strength;
-            if (facts.is_plain && !facts.is_grey()) {
-                texture.asset = pictures_.asset(normal->image.file);
-            } else {
-                texture = made(*textures, "normal", hash_of("normal", normal->image), [&] {
-                    return bake_normals(baked_grid(*textures, store_),
-                                        normal_values(*normal, store_));
-                });
-            }
+        if (normal != nullptr && is_usable(*normal)) {
+            texture.group = *textures;
+            texture.asset = pictures_.asset(normal->image.file);
         } else {
-            const auto& height = std::get<render::HeightTexture>(surface_.relief);
-            texture =
-                made(*textures, "relief", hash_of("relief", height, textures_.relief_lengths), [&] {
-                    const NumberAt number = number_values(height.number, textures->shared, store_);
-                    const auto depth = static_cast<float>(height.depth);
-                    return bake_relief(
-                        baked_grid(*textures, store_),
-                        [&](const Vec2& c) { return depth * number(c); }, textures_.relief_lengths);
-                });
+            const Vec2& lengths = textures_.relief_lengths;
+            texture = made(*textures, "relief", hash_of("relief", surface_.relief, lengths), [&] {
+                return bake_normals(baked_grid(*textures, store_),
+                                    normal_values(surface_.relief, *textures, lengths, store_));
+            });
         }
         texture.scale = {2 * strength, 2 * strength, 2, 1};
         texture.bias = {-strength, -strength, -1, 0};

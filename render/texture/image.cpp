@@ -232,8 +232,9 @@ RawPicture without_opaque_alpha(RawPicture picture) {
 
 }  // namespace
 
-std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path, bool is_linear) {
-    RawPicture picture = without_opaque_alpha(read_picture(path));
+std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path, bool is_linear,
+                                                       const ReadPicture& read) {
+    RawPicture picture = without_opaque_alpha(read(path));
     check_fits(path, picture, ImagePyramid::fits(picture));
     return std::make_shared<const ImagePyramid>(std::move(picture), is_linear);
 }

@@ -1,13 +1,14 @@
 // Colour pictures from files, in linear light.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "render/geometry/ray.h"
-#include "render/image_files/raw_picture.h"
+#include "render/image_files/read_picture.h"
 #include "render/texture/mip_pyramid.h"
 
 namespace carom::render {
@@ -84,9 +85,12 @@ class ImagePyramid {
 /// Throws Error, with the path, if kernels do not reach all of the picture.
 void check_fits(const std::string& path, const RawPicture& picture, bool fits);
 
+/// How pictures come from files: as read_picture, or already known.
+using ReadPicture = std::function<RawPicture(const std::string& path)>;
+
 /// An alpha that is 1 all over does not count. Throws Error if the file cannot be read or does not
 /// fit.
-[[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path,
-                                                                     bool is_linear);
+[[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(
+    const std::string& path, bool is_linear, const ReadPicture& read = read_picture);
 
 }  // namespace carom::render

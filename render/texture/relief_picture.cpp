@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/colour.h"
 #include "render/image_files/picture_light.h"
-#include "render/image_files/read_picture.h"
+#include "render/texture/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -20,30 +19,20 @@ ColourWithAlpha slopes(float right, float up) {
 float height_of(const RawPicture& picture, std::size_t pixel, PictureChannel channel) {
     const PixelLight light = pixel_light(picture, pixel, true);
     const V3f colour = light.alpha > 0 ? light.colour / light.alpha : light.colour;
-    switch (channel) {
-        case PictureChannel::red:
-            return colour.x;
-        case PictureChannel::green:
-            return colour.y;
-        case PictureChannel::blue:
-            return colour.z;
-        case PictureChannel::alpha:
-            return light.alpha;
-        default:
-            return luminance(colour);
-    }
+    return scalar::part_of<scalar::One>({colour, light.alpha}, channel);
 }
 
-RawPicture read_colours(const std::string& path) {
-    RawPicture picture = read_picture(path);
+RawPicture read_colours(const std::string& path, const ReadPicture& read) {
+    RawPicture picture = read(path);
     check_fits(path, picture, ColourPyramid::fits(picture.width, picture.height));
     return picture;
 }
 
 }  // namespace
 
-std::shared_ptr<const SlopePicture> SlopePicture::of_normals(const std::string& path) {
-    const RawPicture picture = read_colours(path);
+std::shared_ptr<const SlopePicture> SlopePicture::of_normals(const std::string& path,
+                                                             const ReadPicture& read) {
+    const RawPicture picture = read_colours(path, read);
     const auto width = static_cast<std::size_t>(picture.width);
     const auto slope_at = [&](int x, int y) {
         const std::size_t pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
@@ -56,8 +45,9 @@ std::shared_ptr<const SlopePicture> SlopePicture::of_normals(const std::string& 
 }
 
 std::shared_ptr<const SlopePicture> SlopePicture::of_heights(const std::string& path,
-                                                             PictureChannel channel) {
-    const RawPicture picture = read_colours(path);
+                                                             PictureChannel channel,
+                                                             const ReadPicture& read) {
+    const RawPicture picture = read_colours(path, read);
     std::vector<float> heights;
     heights.reserve(picture.pixel_count());
     for (std::size_t pixel = 0; pixel < picture.pixel_count(); ++pixel) {

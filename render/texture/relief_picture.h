@@ -16,10 +16,11 @@ namespace carom::render {
 class SlopePicture {
   public:
     /// Of directions of normals (NormalPicture). Throws Error as load_image_pyramid does.
-    [[nodiscard]] static std::shared_ptr<const SlopePicture> of_normals(const std::string& path);
+    [[nodiscard]] static std::shared_ptr<const SlopePicture> of_normals(
+        const std::string& path, const ReadPicture& read = read_picture);
     /// Of heights 0 to 1 (HeightTexture), for a length of one texel. `channel`: not `automatic`.
-    [[nodiscard]] static std::shared_ptr<const SlopePicture> of_heights(const std::string& path,
-                                                                        PictureChannel channel);
+    [[nodiscard]] static std::shared_ptr<const SlopePicture> of_heights(
+        const std::string& path, PictureChannel channel, const ReadPicture& read = read_picture);
 
     /// For kernels; valid as long as this object is.
     [[nodiscard]] ImageTables tables() const;

@@ -101,16 +101,18 @@ struct TextureMaker {
 }  // namespace
 
 std::shared_ptr<const ImagePyramid> ImageCache::file(const std::string& path, bool is_linear) {
-    return images_.get({path, is_linear}, [&] { return load_image_pyramid(path, is_linear); });
+    return images_.get({path, is_linear},
+                       [&] { return load_image_pyramid(path, is_linear, read_); });
 }
 
 std::shared_ptr<const SlopePicture> ImageCache::normals(const std::string& path) {
-    return slopes_.get({path, std::nullopt}, [&] { return SlopePicture::of_normals(path); });
+    return slopes_.get({path, std::nullopt}, [&] { return SlopePicture::of_normals(path, read_); });
 }
 
 std::shared_ptr<const SlopePicture> ImageCache::heights(const std::string& path,
                                                         PictureChannel channel) {
-    return slopes_.get({path, channel}, [&] { return SlopePicture::of_heights(path, channel); });
+    return slopes_.get({path, channel},
+                       [&] { return SlopePicture::of_heights(path, channel, read_); });
 }
 
 std::shared_ptr<const CoverageMask> ImageCache::number(int number) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "core/memo_table.h"
 #include "render/geometry/ray.h"
@@ -21,6 +22,8 @@ namespace carom::render {
 /// threads.
 class ImageCache {
   public:
+    explicit ImageCache(ReadPicture read = read_picture) : read_(std::move(read)) {}
+
     /// Throws Error with the file's name.
     [[nodiscard]] std::shared_ptr<const ImagePyramid> file(const std::string& path, bool is_linear);
     [[nodiscard]] std::shared_ptr<const SlopePicture> normals(const std::string& path);
@@ -31,6 +34,7 @@ class ImageCache {
     [[nodiscard]] std::shared_ptr<const ClothTiles> cloth_tiles();
 
   private:
+    ReadPicture read_;
     MemoTable<std::tuple<std::string, bool>, std::shared_ptr<const ImagePyramid>> images_;
     /// Of normals: no channel.
     MemoTable<std::tuple<std::string, std::optional<PictureChannel>>,

@@ -59,13 +59,6 @@ BakedPicture baked(const BakedGrid& grid, int channels, const Write& write) {
     return picture;
 }
 
-void write_normal(std::uint8_t* target, const V3f& direction) {
-    const V3f normal = direction.normalized();
-    for (int c = 0; c < 3; ++c) {
-        target[c] = code_of(0.5F * normal[c] + 0.5F);
-    }
-}
-
 }  // namespace
 
 AlphaKind BakedPicture::alpha() const {
@@ -113,18 +106,10 @@ BakedPicture bake_numbers(const BakedGrid& grid, const std::vector<NumberAt>& nu
 
 BakedPicture bake_normals(const BakedGrid& grid, const ColourAt& normal) {
     return baked(grid, 3, [&](std::uint8_t* target, int x, int y) {
-        write_normal(target, normal(grid.centre(x, y)));
-    });
-}
-
-BakedPicture bake_relief(const BakedGrid& grid, const NumberAt& height, const Vec2& lengths) {
-    // Over two pixels, in metres along the surface.
-    const Vec2 pixel = lengths / grid.tile.repeats / Vec2(grid.width, grid.height);
-    return baked(grid, 3, [&](std::uint8_t* target, int x, int y) {
-        const float along_u = height(grid.centre(x + 1, y)) - height(grid.centre(x - 1, y));
-        const float along_v = height(grid.centre(x, y - 1)) - height(grid.centre(x, y + 1));
-        write_normal(target, {-along_u / static_cast<float>(2 * pixel.x),
-                              -along_v / static_cast<float>(2 * pixel.y), 1});
+        const V3f value = normal(grid.centre(x, y));
+        for (int c = 0; c < 3; ++c) {
+            target[c] = code_of(0.5F * value[c] + 0.5F);
+        }
     });
 }
 

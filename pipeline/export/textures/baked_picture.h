@@ -7,9 +7,13 @@
 #include <vector>
 
 #include "pipeline/export/textures/picture_file.h"
-#include "pipeline/export/textures/texture_values.h"
+#include "pipeline/export/textures/texture_place.h"
 
 namespace carom::pipeline {
+
+/// Values at coordinates of a place.
+using ColourAt = std::function<Imath::V3f(const Vec2&)>;
+using NumberAt = std::function<float(const Vec2&)>;
 
 /// width * height * channels values, row by row from the top left; three or four channels.
 struct BakedPicture {
@@ -27,6 +31,8 @@ struct BakedGrid {
     int height = 1;
     TextureTile tile;
 
+    /// The coordinates over a pixel.
+    [[nodiscard]] Vec2 pixel() const { return Vec2(1, 1) / tile.repeats / Vec2(width, height); }
     /// The coordinates of a pixel's centre.
     [[nodiscard]] Vec2 centre(int x, int y) const {
         return tile.coordinates({(x + 0.5) / width, 1 - (y + 0.5) / height});
@@ -44,12 +50,8 @@ struct BakedGrid {
 /// The largest value of a colour's channels; at least 0.
 [[nodiscard]] float largest_value(const BakedGrid& grid, const ColourAt& colour);
 
-/// Directions along the coordinates and outwards, of any length, as pictures of normals have them.
+/// Normals along the coordinates and outwards, of unit length.
 [[nodiscard]] BakedPicture bake_normals(const BakedGrid& grid, const ColourAt& normal);
-
-/// The normals of a relief. `height` in metres; `lengths`: over which coordinates grow by 1, m.
-[[nodiscard]] BakedPicture bake_relief(const BakedGrid& grid, const NumberAt& height,
-                                       const Vec2& lengths);
 
 /// As a PNG file, or as a JPEG file if it is wanted and there is no alpha.
 struct EncodedPicture {

@@ -11,6 +11,7 @@ namespace carom::pipeline {
 namespace {
 
 constexpr int kCheckerPixels = 64;  // of one repeat, two squares
+constexpr int kPatchPixels = 512;   // of the part of a pattern that does not repeat
 
 bool can_be_read(const std::vector<PlacedTexture>& textures, PictureStore& pictures) {
     try {
@@ -51,7 +52,7 @@ BakedGrid baked_grid(const TextureGroup& group, PictureStore& pictures) {
     const double most = std::min(pictures.limits().most_side, PictureStore::kAnySide);
     for (const PlacedTexture& texture : group.textures) {
         const Vec2 times = texture.tile.repeats / group.shared.tile.repeats;
-        Vec2 size(kCheckerPixels, kCheckerPixels);
+        Vec2 size(texture.repeats ? kCheckerPixels : kPatchPixels);
         if (texture.image != nullptr) {
             const auto picture = pictures.picture(texture.image->file);
             size = Vec2(picture->width, picture->height);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/export/textures/baked_picture.h"
+#include "pipeline/export/textures/picture_store.h"
 #include "pipeline/export/textures/texture_place.h"
 
 namespace carom::pipeline {

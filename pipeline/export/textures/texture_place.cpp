@@ -20,21 +20,31 @@ TexturePlace place_of(const render::Placement& placement, Mapping mapping, bool 
     return place;
 }
 
+/// A flat pattern.
+std::optional<PlacedTexture> placed_pattern(const render::Placement& placement,
+                                            const TextureTile& tile, bool repeats) {
+    if (placement.mapping == Mapping::own) {
+        return std::nullopt;
+    }
+    return PlacedTexture{place_of(placement, placement.mapping, true), tile, nullptr, repeats};
+}
+const TextureTile kPatch{{1, 1}, {-0.5, -0.5}};  // of a pattern that does not repeat
+
 struct AddTextures {
     std::vector<PlacedTexture>& textures;
 
-    void operator()(const render::ImageTexture& image) const { textures.push_back(placed(image)); }
-    void operator()(const render::CheckerTexture& checker) const {
-        if (const auto known = placed(checker)) {
-            textures.push_back(*known);
-        }
-    }
     void operator()(const std::shared_ptr<const render::MixTexture>& mix) const {
         add_textures(mix->a, textures);
         add_textures(mix->b, textures);
         add_textures(mix->by, textures);
     }
-    void operator()(const auto& /*without a place*/) const {}
+    void operator()(const auto& texture) const {
+        if constexpr (requires { placed(texture); }) {
+            if (const std::optional<PlacedTexture> known = placed(texture)) {
+                textures.push_back(*known);
+            }
+        }
+    }
 };
 
 bool is_whole(double ratio) {
@@ -56,13 +66,15 @@ PlacedTexture placed(const render::ImageTexture& image) {
 std::optional<PlacedTexture> placed(const render::CheckerTexture& checker) {
     // render/texture/kernels/checker.h shifts the squares by this fraction of one.
     constexpr double kShift = 0.0137;
-    const Mapping mapping = checker.placement.mapping;
-    if (mapping == Mapping::own) {
-        return std::nullopt;
-    }
     const double repeats = 1 / (2 * checker.size);
-    return PlacedTexture{place_of(checker.placement, mapping, true),
-                         {Vec2(repeats, repeats), Vec2(-kShift / 2, -kShift / 2)}};
+    return placed_pattern(checker.placement,
+                          {Vec2(repeats, repeats), Vec2(-kShift / 2, -kShift / 2)}, true);
+}
+std::optional<PlacedTexture> placed(const render::ClothTexture& cloth) {
+    return placed_pattern(cloth.placement, kPatch, false);
+}
+std::optional<PlacedTexture> placed(const render::WoodTexture& wood) {
+    return placed_pattern(wood.placement, kPatch, false);
 }
 
 void add_textures(const render::ColourSource& source, std::vector<PlacedTexture>& textures) {
@@ -85,20 +97,24 @@ void add_textures(const render::Relief& relief, std::vector<PlacedTexture>& text
 
 bool fit_together(const PlacedTexture& a, const PlacedTexture& b) {
     const Vec2 ratio = a.tile.repeats / b.tile.repeats;
-    return a.place == b.place && ((is_whole(ratio.x) && is_whole(ratio.y)) ||
-                                  (is_whole(1 / ratio.x) && is_whole(1 / ratio.y)));
+    return a.place == b.place &&
+           (!a.repeats || !b.repeats || (is_whole(ratio.x) && is_whole(ratio.y)) ||
+            (is_whole(1 / ratio.x) && is_whole(1 / ratio.y)));
 }
 
 std::optional<PlacedTexture> shared_texture(const std::vector<PlacedTexture>& textures) {
     if (textures.empty()) {
         return std::nullopt;
     }
-    const auto is_picture = [](const PlacedTexture& t) { return t.image != nullptr; };
-    const auto picture = std::ranges::find_if(textures, is_picture);
-    PlacedTexture largest = picture != textures.end() ? *picture : textures.front();
-    const auto repeats = [](const PlacedTexture& t) { return t.tile.repeats.x * t.tile.repeats.y; };
+    // A picture, or what repeats, before what does not.
+    const auto rank = [](const PlacedTexture& t) {
+        return t.image != nullptr ? 0 : t.repeats ? 1 : 2;
+    };
+    PlacedTexture largest = *std::ranges::min_element(textures, {}, rank);
+    const auto density = [](const PlacedTexture& t) { return t.tile.repeats.x * t.tile.repeats.y; };
     for (const PlacedTexture& texture : textures) {
-        if (fit_together(texture, largest) && repeats(texture) < repeats(largest)) {
+        if (texture.repeats && fit_together(texture, largest) &&
+            density(texture) < density(largest)) {
             largest = texture;
         }
     }

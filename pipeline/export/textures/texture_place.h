@@ -26,7 +26,6 @@ struct TextureTile {
     Vec2 repeats{1, 1};
     Vec2 offset{0, 0};
 
-    [[nodiscard]] Vec2 in_texture(const Vec2& c) const { return c * repeats - offset; }
     [[nodiscard]] Vec2 coordinates(const Vec2& t) const { return (t + offset) / repeats; }
     bool operator==(const TextureTile&) const = default;
 };
@@ -34,23 +33,26 @@ struct TextureTile {
 struct PlacedTexture {
     TexturePlace place;
     TextureTile tile;
-    const render::ImageTexture* image = nullptr;  // null: a checker
+    const render::ImageTexture* image = nullptr;  // null: a pattern
+    bool repeats = true;  // otherwise the tile is the part of it that is shown, again and again
 };
 
 /// What is returned refers to the image.
 [[nodiscard]] PlacedTexture placed(const render::ImageTexture& image);
 
-/// One repeat has two by two squares, the even one at the lower left. Empty if it fills space.
+/// Patterns that fill space have no place. One repeat of a checker has two by two squares, the even
+/// one at the lower left; of what does not repeat a square metre around the origin is shown.
 [[nodiscard]] std::optional<PlacedTexture> placed(const render::CheckerTexture& checker);
+[[nodiscard]] std::optional<PlacedTexture> placed(const render::ClothTexture& cloth);
+[[nodiscard]] std::optional<PlacedTexture> placed(const render::WoodTexture& wood);
 
-/// Adds all pictures and flat checkers in a source, to which they refer. Other patterns have no
-/// place on a surface.
+/// Adds all pictures and flat patterns in a source, to which they refer.
 void add_textures(const render::ColourSource& source, std::vector<PlacedTexture>& textures);
 void add_textures(const render::NumberSource& source, std::vector<PlacedTexture>& textures);
 void add_textures(const render::Relief& relief, std::vector<PlacedTexture>& textures);
 
 /// Whether one picture can show both: they have the same place, and one repeats a whole number of
-/// times where the other repeats once.
+/// times where the other repeats once, or does not repeat.
 [[nodiscard]] bool fit_together(const PlacedTexture& a, const PlacedTexture& b);
 
 /// What a picture has to show of these: the largest one that has the place of the first picture, or

@@ -1,112 +1,116 @@
 #include "pipeline/export/textures/texture_values.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <memory>
 
-#include "core/colour.h"
 #include "pipeline/export/plain_colour.h"
-#include "pipeline/export/textures/picture_sampler.h"
+#include "render/material/material_textures.h"
+#include "render/material/scalar_kernels.h"
 
 namespace carom::pipeline {
 
 namespace {
 
+namespace scalar = render::scalar;
+using Imath::V2f;
 using Imath::V3f;
+using render::ColourSource;
+using render::NumberSource;
+using render::NumberTexture;
 using render::PictureChannel;
+using scalar::One;
 
-/// In front of the background, or if it `is_bare`, the colour of what is opaque.
-V3f shown_colour(const PictureSampler::Texel& texel, const V3f& background, bool is_bare) {
-    constexpr float kInvisible = 1e-4F;
-    if (is_bare) {
-        return texel.alpha > kInvisible ? texel.colour / texel.alpha : texel.colour;
-    }
-    return texel.colour + (1 - texel.alpha) * background;
-}
-
-ColourAt picture_values(const render::ImageTexture& image, PictureStore& pictures, bool is_linear,
-                        bool is_bare) {
-    const PictureSampler sampler(pictures.picture(image.file), is_linear);
-    const V3f background(image.background.value_or(render::kTransparentColour));
-    return [sampler, background, tint = V3f(image.tint), tile = placed(image).tile,
-            shows_parts = is_bare && !image.background](const Vec2& c) {
-        return shown_colour(sampler.at(tile.in_texture(c)), background, shows_parts) * tint;
-    };
-}
-
-struct ColourValues {
+/// Sources whose textures lie on a plane of which uv are the coordinates of a place, in metres or
+/// repeats. Textures that are elsewhere become their mean.
+struct Flattened {
     const PlacedTexture& shared;
-    PictureStore& pictures;
-    bool is_bare;
 
-    ColourAt operator()(const render::ImageTexture& image) const {
-        if (!fit_together(placed(image), shared)) {
-            return constant(image);
-        }
-        return picture_values(image, pictures, image.is_linear, is_bare);
+    [[nodiscard]] ColourSource colour(const ColourSource& source) const {
+        return std::visit(*this, source);
     }
-    ColourAt operator()(const render::CheckerTexture& checker) const {
-        const auto known = placed(checker);
-        if (!known || !fit_together(*known, shared)) {
-            return constant(checker);
-        }
-        return
-            [tile = known->tile, even = V3f(checker.even), odd = V3f(checker.odd)](const Vec2& c) {
-                const Vec2 t = tile.in_texture(c);
-                const bool is_left = t.x - std::floor(t.x) < 0.5;
-                const bool is_low = t.y - std::floor(t.y) < 0.5;
-                return is_left == is_low ? even : odd;
-            };
+    [[nodiscard]] NumberTexture texture(const NumberTexture& texture) const {
+        return {colour(texture.pattern), texture.range};
     }
-    ColourAt operator()(const std::shared_ptr<const render::MixTexture>& mix) const {
-        const ColourValues parts{shared, pictures, is_bare || mix->by.texture() != nullptr};
-        return [a = std::visit(parts, mix->a), b = std::visit(parts, mix->b),
-                by = number_values(mix->by, shared, pictures, NumberUse::mask)](const Vec2& c) {
-            const float weight = std::clamp(by(c), 0.0F, 1.0F);
-            return a(c) * (1 - weight) + b(c) * weight;
-        };
+    [[nodiscard]] NumberSource number(const NumberSource& source) const {
+        return source.texture() == nullptr ? source : texture(*source.texture());
     }
-    ColourAt operator()(const auto& other) const { return constant(other); }
 
-  private:
-    static ColourAt constant(const render::ColourSource& source) {
-        return [colour = V3f(plain_colour(source))](const Vec2&) { return colour; };
+    ColourSource operator()(const std::shared_ptr<const render::MixTexture>& mix) const {
+        return std::make_shared<const render::MixTexture>(
+            render::MixTexture{colour(mix->a), colour(mix->b), number(mix->by)});
+    }
+    template <class Texture>
+    ColourSource operator()(Texture texture) const {
+        if constexpr (requires { placed(texture); }) {
+            const std::optional<PlacedTexture> own = placed(texture);
+            if (own && fit_together(*own, shared)) {
+                texture.placement = {render::Mapping::uv};
+                return texture;
+            }
+        }
+        return plain_colour(texture);
     }
 };
 
-float part_of(const V3f& colour, PictureChannel channel) {
-    switch (channel) {
-        case PictureChannel::red:
-            return colour.x;
-        case PictureChannel::green:
-            return colour.y;
-        case PictureChannel::blue:
-            return colour.z;
-        default:
-            return luminance(colour);
+/// The textures of a flattened material, as the renderer sees them straight from above through the
+/// pixels of the picture that is made of a group.
+class Plane {
+  public:
+    /// `lengths`: over which coordinates grow by 1, m.
+    Plane(const render::StandardMaterial& material, const TextureGroup& group,
+          PictureStore& pictures, const Vec2& lengths = {1, 1})
+        : textures_(textures_of(material, pictures)) {
+        const V2f length(lengths);
+        const V2f pixel(baked_grid(group, pictures).pixel());
+        point_.object_position = {0, 0, 0};
+        point_.geometric_normal = kNormal;
+        point_.uv_metres = {1, 1};
+        point_.along = {pixel.x, 0};
+        point_.across = {0, pixel.y};
+        point_.way_along = {pixel.x * length.x, 0, 0};
+        point_.way_across = {0, pixel.y * length.y, 0};
+        point_.footprint = std::sqrt(point_.way_along.x * point_.way_across.y);
+        point_.u_gradient = {1 / length.x, 0, 0};
+        point_.v_gradient = {0, 1 / length.y, 0};
     }
-}
 
-NumberAt pattern_values(const render::ColourSource& pattern, const PlacedTexture& shared,
-                        PictureStore& pictures, NumberUse use) {
-    const auto* image = std::get_if<render::ImageTexture>(&pattern);
-    if (image != nullptr && !fit_together(placed(*image), shared)) {
-        const float value = luminance(V3f(plain_colour(pattern)));
-        return [value](const Vec2&) { return value; };
+    [[nodiscard]] const render::MaterialTextures& numbers() const { return textures_.numbers(); }
+
+    /// Of each texture.
+    [[nodiscard]] auto values(const Vec2& c) const {
+        std::array<scalar::TextureValueOf<One>, render::MaterialTextures::kMost> values{};
+        scalar::evaluate<One>(list(), numbers(), 0, numbers().count, at(c), values.data());
+        return values;
     }
-    const PictureChannel channel = image == nullptr
-                                       ? PictureChannel::luminance
-                                       : channel_of(*image, pictures.facts(image->file), use);
-    if (channel == PictureChannel::alpha) {
-        const PictureSampler sampler(pictures.picture(image->file), true);
-        return [sampler, tile = placed(*image).tile](const Vec2& c) {
-            return sampler.at(tile.in_texture(c)).alpha;
-        };
+    [[nodiscard]] float number(const render::NumberPick& pick, const Vec2& c) const {
+        return scalar::number_of<One>(pick, values(c).data());
     }
-    const ColourAt colour = image == nullptr ? colour_values(pattern, shared, pictures)
-                                             : picture_values(*image, pictures, true, false);
-    return [colour, channel](const Vec2& c) { return part_of(colour(c), channel); };
-}
+    [[nodiscard]] V3f normal(const Vec2& c) const {
+        return scalar::resolve_surface<One>(list(), numbers(), at(c), kNormal, kNormal, kNormal)
+            .normal;
+    }
+
+  private:
+    static render::TexturesOfMaterial textures_of(const render::StandardMaterial& material,
+                                                  PictureStore& pictures) {
+        render::ImageCache images([&](const std::string& path) { return *pictures.picture(path); });
+        return {material, images};
+    }
+    [[nodiscard]] render::List<render::TextureData> list() const {
+        return render::List<render::TextureData>(textures_.list());
+    }
+    [[nodiscard]] scalar::TexturePointOf<One> at(const Vec2& c) const {
+        scalar::TexturePointOf<One> point = point_;
+        point.uv = V2f(c);
+        return point;
+    }
+
+    static constexpr V3f kNormal{0, 0, 1};
+
+    render::TexturesOfMaterial textures_;
+    scalar::TexturePointOf<One> point_{};
+};
 
 }  // namespace
 
@@ -115,8 +119,8 @@ PictureChannel channel_of(const render::ImageTexture& image, const PictureFacts&
     if (image.channel != PictureChannel::automatic) {
         return image.channel;
     }
-    return use == NumberUse::mask && facts.has_alpha() ? PictureChannel::alpha
-                                                       : PictureChannel::luminance;
+    return use == NumberUse::mask && facts.alpha != AlphaKind::opaque ? PictureChannel::alpha
+                                                                      : PictureChannel::luminance;
 }
 
 bool is_as_stored(const render::ImageTexture& image, PictureChannel channel,
@@ -125,31 +129,41 @@ bool is_as_stored(const render::ImageTexture& image, PictureChannel channel,
            (facts.alpha == AlphaKind::opaque && image.tint == Vec3(1, 1, 1));
 }
 
-ColourAt colour_values(const render::ColourSource& source, const PlacedTexture& shared,
+ColourAt colour_values(const ColourSource& source, const TextureGroup& group,
                        PictureStore& pictures, bool is_bare) {
-    return std::visit(ColourValues{shared, pictures, is_bare}, source);
-}
-
-NumberAt number_values(const render::NumberTexture& texture, const PlacedTexture& shared,
-                       PictureStore& pictures, NumberUse use) {
-    return [pattern = pattern_values(texture.pattern, shared, pictures, use),
-            from = static_cast<float>(texture.range.x), to = static_cast<float>(texture.range.y)](
-               const Vec2& c) { return from + (to - from) * pattern(c); };
-}
-
-NumberAt number_values(const render::NumberSource& source, const PlacedTexture& shared,
-                       PictureStore& pictures, NumberUse use) {
-    if (const render::NumberTexture* texture = source.texture()) {
-        return number_values(*texture, shared, pictures, use);
+    render::StandardMaterial flat;
+    flat.base = Flattened{group.shared}.colour(source);
+    if (is_bare) {
+        flat.opacity = NumberTexture{Vec3(1, 1, 1)};
     }
-    return [value = static_cast<float>(source.constant_or(0))](const Vec2&) { return value; };
+    return [plane = Plane(flat, group, pictures)](const Vec2& c) {
+        return plane.values(c)[static_cast<std::size_t>(plane.numbers().base)].colour;
+    };
 }
 
-ColourAt normal_values(const render::NormalPicture& picture, PictureStore& pictures) {
-    const PictureSampler sampler(pictures.picture(picture.image.file), true);
-    return [sampler, tile = placed(picture.image).tile](const Vec2& c) {
-        return 2.0F * sampler.at(tile.in_texture(c)).colour - V3f(1);
+NumberAt number_values(const NumberSource& source, const TextureGroup& group,
+                       PictureStore& pictures, NumberUse use) {
+    const bool is_mask = use == NumberUse::mask;
+    render::StandardMaterial flat;
+    (is_mask ? flat.opacity : flat.metal) = Flattened{group.shared}.number(source);
+    return [plane = Plane(flat, group, pictures), is_mask](const Vec2& c) {
+        const render::MaterialTextures& numbers = plane.numbers();
+        return plane.number(is_mask ? numbers.opacity : numbers.numbers[render::kMetal], c);
     };
+}
+
+ColourAt normal_values(render::Relief relief, const TextureGroup& group, const Vec2& lengths,
+                       PictureStore& pictures) {
+    if (auto* picture = std::get_if<render::NormalPicture>(&relief)) {
+        picture->image.placement = {render::Mapping::uv};
+        picture->strength = 1;
+    } else if (auto* height = std::get_if<render::HeightTexture>(&relief)) {
+        height->number = Flattened{group.shared}.texture(height->number);
+    }
+    render::StandardMaterial flat;
+    flat.relief = relief;
+    return
+        [plane = Plane(flat, group, pictures, lengths)](const Vec2& c) { return plane.normal(c); };
 }
 
 }  // namespace carom::pipeline

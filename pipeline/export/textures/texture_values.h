@@ -1,38 +1,30 @@
-// Colours and numbers of textures at their coordinates.
+// Colours and numbers of textures at their coordinates, as the renderer sees them.
 #pragma once
 
-#include <functional>
-
 #include "pipeline/export/textures/picture_store.h"
-#include "pipeline/export/textures/texture_place.h"
+#include "pipeline/export/textures/texture_group.h"
 #include "render/scene/material_description.h"
 
 namespace carom::pipeline {
 
-/// Of coordinates of the place that all textures of a source share (shared_texture).
-using ColourAt = std::function<Imath::V3f(const Vec2&)>;
-using NumberAt = std::function<float(const Vec2&)>;
-
 /// What a number is for: of an opacity or of the weight of a mix the alpha of a picture counts, if
-/// it has any and nothing else is said.
+/// it is transparent somewhere and nothing else is said.
 enum class NumberUse { usual, mask };
 
-/// The colour at each place, linear. Textures that do not fit `shared` have one colour. `is_bare`:
-/// a picture without a background has the colour of what is opaque there, because something else
-/// says how much of it is seen. Throws Error if a picture cannot be read.
-[[nodiscard]] ColourAt colour_values(const render::ColourSource& source,
-                                     const PlacedTexture& shared, PictureStore& pictures,
-                                     bool is_bare = false);
+/// The colour over a pixel of baked_grid(group), linear. Textures that do not fit the group's
+/// shared one have one colour. `is_bare`: a picture without a background has the colour of what is
+/// opaque there, because something else says how much of it is seen. Throws Error if a picture
+/// cannot be read.
+[[nodiscard]] ColourAt colour_values(const render::ColourSource& source, const TextureGroup& group,
+                                     PictureStore& pictures, bool is_bare = false);
 
-[[nodiscard]] NumberAt number_values(const render::NumberSource& source,
-                                     const PlacedTexture& shared, PictureStore& pictures,
-                                     NumberUse use = NumberUse::usual);
-[[nodiscard]] NumberAt number_values(const render::NumberTexture& texture,
-                                     const PlacedTexture& shared, PictureStore& pictures,
-                                     NumberUse use = NumberUse::usual);
+[[nodiscard]] NumberAt number_values(const render::NumberSource& source, const TextureGroup& group,
+                                     PictureStore& pictures, NumberUse use = NumberUse::usual);
 
-/// The values of a picture of normals, -1 to 1.
-[[nodiscard]] ColourAt normal_values(const render::NormalPicture& picture, PictureStore& pictures);
+/// Normals along the coordinates and outwards, of unit length; of a picture of normals without its
+/// strength. `lengths`: over which coordinates grow by 1, m.
+[[nodiscard]] ColourAt normal_values(render::Relief relief, const TextureGroup& group,
+                                     const Vec2& lengths, PictureStore& pictures);
 
 /// What counts of a picture: not `automatic`.
 [[nodiscard]] render::PictureChannel channel_of(const render::ImageTexture& image,

@@ -278,30 +278,29 @@ CAROM_KERNEL ClothValueOf<L> cloth_at(const TextureData& texture, const PatternP
     return cloth_value<L>(texture.cloth, flat_place<L>(at.place, axis), footprint);
 }
 
+/// What a channel of a texture's value gives; not `automatic`.
+template <class L>
+CAROM_KERNEL ValueOf<L> part_of(const TextureValueOf<L>& value, PictureChannel channel) {
+    switch (channel) {
+        case PictureChannel::red:
+            return value.colour.x;
+        case PictureChannel::green:
+            return value.colour.y;
+        case PictureChannel::blue:
+            return value.colour.z;
+        case PictureChannel::alpha:
+            return value.alpha;
+        default:
+            return luminance_of<L>(value.colour);
+    }
+}
+
 template <class L>
 CAROM_KERNEL ValueOf<L> number_of(const NumberPick& pick, const TextureValueOf<L>* values) {
     if (pick.texture < 0) {
         return L::all(pick.at_zero);
     }
-    const TextureValueOf<L>& value = values[pick.texture];
-    ValueOf<L> number;
-    switch (pick.channel) {
-        case PictureChannel::red:
-            number = value.colour.x;
-            break;
-        case PictureChannel::green:
-            number = value.colour.y;
-            break;
-        case PictureChannel::blue:
-            number = value.colour.z;
-            break;
-        case PictureChannel::alpha:
-            number = value.alpha;
-            break;
-        default:
-            number = luminance_of<L>(value.colour);
-            break;
-    }
+    const auto number = part_of<L>(values[pick.texture], pick.channel);
     return L::all(pick.at_zero) + number * L::all(pick.at_one - pick.at_zero);
 }
 

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,9 +45,17 @@ class SchemaCheck {
 
     /// The problems that the schema finds; no value if the file is not valid YAML.
     [[nodiscard]] std::optional<std::string> complaints(const fs::path& file) const {
+        return complaints_of({file.string(), file.parent_path().string(), read(file)});
+    }
+    [[nodiscard]] std::optional<std::string> complaints(const std::string& text) const {
+        return complaints_of({"shot.yaml", "", text});
+    }
+
+  private:
+    [[nodiscard]] std::optional<std::string> complaints_of(const config::SourceText& shot) const {
         config::SourceSet sources;
         config::ProblemList problems(sources);
-        const int source = sources.add({file.string(), file.parent_path().string(), read(file)});
+        const int source = sources.add(shot);
         const std::optional<config::Node> root = config::parse_yaml(sources, source, problems);
         if (!root || problems.has_error()) {
             return std::nullopt;
@@ -67,7 +77,6 @@ class SchemaCheck {
         return text;
     }
 
-  private:
     valijson::Schema schema_;
 };
 
@@ -120,6 +129,53 @@ TEST(Schema, FindsTheFaultsOfBrokenFilesThatItCan) {
         made += line + "\n";
     }
     EXPECT_EQ(made, read(kSource / "tests/broken/schema.txt"));
+}
+
+/// Two keys of a map of which only one may be given, and the text around them.
+struct Rivals {
+    std::string before;
+    std::string a;
+    std::string a_value;
+    std::string b;
+    std::string b_value;
+    std::string after;
+
+    [[nodiscard]] std::string with(const std::string& a_given, const std::string& b_given) const {
+        return "carom: 1\n" + before + a + ": " + a_given + ", " + b + ": " + b_given + after;
+    }
+};
+
+const std::vector<Rivals> kRivals = {
+    {"materials: {felt: {standard: {base: {", "cloth", "{}", "image", "a.png", "}}}}\n"},
+    {"materials: {felt: {standard: {", "normal", "a.png", "height", "{image: a.png, depth: 1 mm}",
+     "}}}\n"},
+    {"lights: {key: {", "point", "500", "sphere", "1 cm", "}}\n"},
+    {"objects: {post: {", "sphere", "1 cm", "capsule", "{radius: 1 cm, length: 3 cm}", "}}\n"},
+    {"balls: {cue: {", "at", "[0, 0]", "touching", "{ball: one, direction: 0 deg}", "}}\n"},
+    {"cameras: [{include: rig.yaml, ", "fov", "30 deg", "focal_length", "50 mm", "}]\n"},
+    {"output: {", "crf", "20", "bit_rate", "4 Mbit/s", "}\n"}};
+
+TEST(Schema, KeysThatContradict_OneIsNull_Accepts) {
+    const SchemaCheck schema;
+    for (const Rivals& r : kRivals) {
+        EXPECT_EQ(schema.complaints(r.with(r.a_value, "null")).value_or("no YAML"), "") << r.before;
+        EXPECT_EQ(schema.complaints(r.with("null", r.b_value)).value_or("no YAML"), "") << r.before;
+        EXPECT_EQ(schema.complaints(r.with("null", "null")).value_or("no YAML"), "") << r.before;
+    }
+}
+
+TEST(Schema, KeysThatContradict_BothHaveValues_Refuses) {
+    const SchemaCheck schema;
+    for (const Rivals& r : kRivals) {
+        EXPECT_NE(schema.complaints(r.with(r.a_value, r.b_value)).value_or(""), "") << r.before;
+    }
+}
+
+/// A map in a list without `include` is merged with none.
+TEST(Schema, KeysThatContradict_NullInAMapThatIsNotMerged_Refuses) {
+    const SchemaCheck schema;
+    const std::string text = "carom: 1\ncameras: [{fov: null, focal_length: 50 mm}]\n";
+    EXPECT_NE(schema.complaints(text).value_or(""), "");
 }
 
 }  // namespace

@@ -277,6 +277,21 @@ TEST_F(TexturesInGlb, FlatChecker_IsASmallPicture) {
     EXPECT_EQ(pixels[63 * 64][0], 255);
 }
 
+TEST_F(TexturesInGlb, FlatWood_IsASquareMetre) {
+    render::WoodTexture wood;
+    wood.placement.mapping = render::Mapping::planar;
+    render::StandardMaterial surface;
+    surface.base = wood;
+    const Glb file = glb(surface);
+    const Json& texture = pbr(file)["baseColorTexture"];
+    const std::vector<Pixel> pixels = pixels_of(file.picture(texture));
+    EXPECT_EQ(pixels.size(), 512U * 512U);
+    EXPECT_GT(std::ranges::count_if(pixels, [&](const Pixel& p) { return p != pixels[0]; }), 1000);
+    const Json& t = texture["extensions"]["KHR_texture_transform"];
+    EXPECT_EQ(t["scale"], Json({1.0, 1.0}));
+    EXPECT_EQ(t["offset"], Json({0.5, -0.5}));  // the origin is in the middle
+}
+
 TEST_F(TexturesInGlb, PaintedBall_KeepsItsFieldsAndTheTexturesOfItsRoughness) {
     render::BallTexture paint;
     paint.striped = true;
