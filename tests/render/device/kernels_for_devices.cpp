@@ -63,6 +63,7 @@ using triangle::Division;
 // The order matters.
 // clang-format off
 #include "render/triangle/kernels/common.h"
+#include "render/triangle/kernels/moller_trumbore.h"
 #include "render/triangle/kernels/watertight.h"
 // clang-format on
 
