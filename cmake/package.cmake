@@ -14,12 +14,12 @@ if(CAROM_LIBRARY)
 endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-# dpkg-shlibdeps finds the libraries; the font must be listed.
+# dpkg-shlibdeps finds the libraries; the fonts must be listed.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "films of billiard-style shots, simulated and ray traced")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME carom)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-dejavu-core, fonts-urw-base35")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS rsync)  # only carom cache push, pull and merge
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "A shot is written in YAML, simulated with ODE and baked into timelines; a path tracer with true motion blur and

@@ -627,6 +627,8 @@ sound:
 )"},
         {"denoise", R"(output: {denoise: {strength: 0.8}}
 )"},
+        {"grade", R"(output: {grade: {slope: 1.06, offset: [0.004, 0, -0.006], saturation: 1.1}}
+)"},
         {"glow", R"(output: {glow: {strength: 0.04, radius: 0.05}}
 )"},
         {"hdr10", R"(output: {hdr10: {peak: 1000, white: 203}}

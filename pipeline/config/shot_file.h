@@ -73,7 +73,7 @@ struct BallLook {
     std::optional<Vec3> colour, white;
     std::optional<bool> striped;
     std::optional<int> number, spots;
-    std::optional<double> disc_radius;
+    std::optional<double> disc_radius, band_width;
 };
 
 /// The sides of a table, as TableLayout::sides lists them.

@@ -11,8 +11,7 @@ namespace carom::pipeline {
 
 namespace {
 
-// The dimensions of render/texture/kernels/ball_paint.h, in ball radii.
-constexpr double kBandHalfWidth = 0.56;
+// The spots of render/texture/kernels/ball_paint.h, in ball radii.
 constexpr double kSpotRadius = 0.105;
 const Vec3 kSpotColour(0.52, 0.02, 0.018);
 
@@ -36,7 +35,7 @@ void cut_caps(render::MeshShape& sphere, int axis, double height) {
 }  // namespace
 
 PaintedSphere painted_sphere(const render::BallTexture& paint) {
-    const double band = paint.striped ? kBandHalfWidth : kNoCircle;
+    const double band = paint.striped ? paint.band_width : kNoCircle;
     const double disc = paint.number != 0 ? height_of_circle(paint.disc_radius) : kNoCircle;
     const double spot = paint.spots != 0 ? height_of_circle(kSpotRadius) : kNoCircle;
     PaintedSphere result;

@@ -37,6 +37,15 @@ StandardMaterial polished(ColourSource base) {
     return material;
 }
 
+/// Cast phenolic resin: n of 1.6 (bakelite: 1.63), and the fine scratches of play as a haze around
+/// the mirror image.
+StandardMaterial resin() {
+    StandardMaterial material = matt(Vec3(0.8, 0.8, 0.8), 0.1);
+    material.specular = 0.35;
+    material.coat = {1.0, 1.6, 0.0};
+    return material;
+}
+
 StandardMaterial brushed_metal(const Vec3& base) {
     StandardMaterial material = matt(base, 0.25);
     material.metal = 1;
@@ -62,7 +71,7 @@ std::vector<MaterialDescription> make_materials() {
         {"leg", varnished_wood()},
         {"sight", polished(Vec3(0.75, 0.72, 0.64))},
         {"floor", matt(Vec3(0.035, 0.030, 0.027), 0.7)},
-        {"ball", polished(Vec3(0.8, 0.8, 0.8))},
+        {"ball", resin()},
         {"stick_tip", matt(Vec3(0.05, 0.11, 0.17), 0.9)},  // chalked
         {"stick_ferrule", lacquered(Vec3(0.78, 0.75, 0.68), 0.1)},
         {"stick_shaft", lacquered(Vec3(0.58, 0.42, 0.24), 0.15)},

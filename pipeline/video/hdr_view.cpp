@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "core/assert.h"
 #include "core/elementary.h"
 #include "pipeline/video/code_value.h"
 #include "pipeline/video/glow.h"
+#include "pipeline/video/grade.h"
 
 namespace carom::pipeline {
 
@@ -53,11 +55,11 @@ Colour to_bt2020(const Colour& c) {
 }
 
 /// The luminances at which a display shows the channels of a pixel, cd/m^2.
-Colour shown(const float* rgba, float gain, double peak) {
+Colour shown(const Colour& rgb, float gain, double peak) {
     constexpr float kBrightest = 1e8F;  // keeps the arithmetic finite
     Colour light{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const float value = rgba[i] * gain;
+        const float value = rgb[i] * gain;
         light[i] = value > 0 ? std::min(value, kBrightest) : 0.0F;  // NaN is not > 0
     }
     const float largest = std::max({light[0], light[1], light[2]});
@@ -103,11 +105,21 @@ std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettin
     const bool glows = output.glow.strength > 0;
     const render::Film glowing = glows ? with_glow(film, output.glow) : render::Film{};
     const std::vector<float>& rgba = glows ? glowing.rgba : film.rgba;
-    const auto gain = static_cast<float>(exponential2(output.exposure) * settings.white);
+    const double exposure = exponential2(output.exposure);
+    std::optional<Grade> grade;
+    if (!is_neutral(output.grade)) {
+        grade.emplace(output.grade);
+    }
+    const auto gain = static_cast<float>((grade ? 1 : exposure) * settings.white);
+    const auto exposed = static_cast<float>(exposure);
     std::vector<std::uint16_t> signal;
     signal.reserve(rgba.size() / 4 * 3);
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
-        for (const float channel : shown(rgba.data() + i, gain, settings.peak)) {
+        Colour light{rgba[i], rgba[i + 1], rgba[i + 2]};
+        if (grade) {
+            light = (*grade)({light[0] * exposed, light[1] * exposed, light[2] * exposed});
+        }
+        for (const float channel : shown(light, gain, settings.peak)) {
             signal.push_back(pq(std::min(channel, static_cast<float>(settings.peak))));
         }
     }

@@ -27,9 +27,9 @@ namespace carom::pipeline {
 [[nodiscard]] double compress_highlights(double light, double peak);
 
 /// 16-bit RGB (width * height * 3) of BT.2020's primaries, PQ-encoded, row by row from the top
-/// left. Exposure and glow are applied first; scene light 1 becomes `hdr10.white`; colours whose
-/// largest channel exceeds half the peak are scaled down as a whole, so that hues stay the same.
-/// The view of `output` is not used. Values below 0 and NaN become black.
+/// left. Glow, exposure and grade are applied first; scene light 1 becomes `hdr10.white`; colours
+/// whose largest channel exceeds half the peak are scaled down as a whole, so that hues stay the
+/// same. The view of `output` is not used. Values below 0 and NaN become black.
 [[nodiscard]] std::vector<std::uint16_t> to_hdr10(const render::Film& film,
                                                   const OutputSettings& output);
 

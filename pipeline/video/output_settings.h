@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/vectors.h"
+
 namespace carom::pipeline {
 
 /// ocio: the view of the OpenColorIO configuration that the environment variable OCIO names; raw:
@@ -26,6 +28,14 @@ struct OcioSettings {
 struct GlowSettings {
     double strength = 0;   // fraction of all light that is scattered, [0, 1]; 0: none
     double radius = 0.04;  // of the widest part of the glow, in picture heights, (0, 1]
+};
+
+/// See grade.h; by channel.
+struct GradeSettings {
+    Vec3 slope{1, 1, 1};    // [0, 16]
+    Vec3 offset{0, 0, 0};   // of the encoded light, [-1, 1]
+    Vec3 power{1, 1, 1};    // (0, 16]
+    double saturation = 1;  // [0, 4]
 };
 
 /// See render/denoise/denoise.h.
@@ -69,6 +79,7 @@ struct OutputSettings {
     double exposure = 0;      // stops
     DenoiseSettings denoise;  // of the linear film, before the glow
     GlowSettings glow;        // added to the linear film, before the view
+    GradeSettings grade;      // of the linear film, after glow and exposure
     OverlaySettings overlay;  // drawn on the display picture, after the view
     std::optional<Hdr10Settings> hdr10;
     std::optional<AudioCodec> audio;       // none: follows from the file (audio_codec_for)

@@ -29,14 +29,20 @@ float luminance(const Colour& c) {
     return carom::luminance({c[0], c[1], c[2]});
 }
 
-Colour exposed(const float* rgba, float gain) {
-    Colour colour{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const float value = rgba[i] * gain;
-        colour[i] = value > 0 ? std::min(value, kBrightest) : 0.0F;  // NaN is not > 0
+/// What happens to light before a view.
+struct Development {
+    float gain = 1;
+    const Grade* grade = nullptr;  // or none
+
+    [[nodiscard]] Colour operator()(const float* rgba) const {
+        Colour colour{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const float value = rgba[i] * gain;
+            colour[i] = value > 0 ? std::min(value, kBrightest) : 0.0F;  // NaN is not > 0
+        }
+        return grade != nullptr ? (*grade)(colour) : colour;
     }
-    return colour;
-}
+};
 
 /// Mixes a fraction of the colour's luminance into each channel before the tone curve, and removes
 /// most of it afterwards ("channel crosstalk": Lottes 2016, cited in tone_curve.h). Without
@@ -109,23 +115,23 @@ struct Rows {
 };
 
 template <class View, class Encoding>
-void transform(const Rows& rows, float gain, const View& view, const Encoding& encode,
-               std::vector<std::uint16_t>& display) {
+void transform(const Rows& rows, const Development& developed, const View& view,
+               const Encoding& encode, std::vector<std::uint16_t>& display) {
     const std::size_t pixels = rows.rgba.size() / 4;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-        const Colour colour = view(exposed(&rows.rgba[4 * pixel], gain));
+        const Colour colour = view(developed(&rows.rgba[4 * pixel]));
         for (std::size_t i = 0; i < 3; ++i) {
             display[3 * pixel + i] = nearest_code(encode(colour[i]) * 65535.0F);
         }
     }
 }
 
-void transform_by(const render::OcioView& ocio, const Rows& rows, float gain,
+void transform_by(const render::OcioView& ocio, const Rows& rows, const Development& developed,
                   std::vector<std::uint16_t>& display) {
     std::vector<float> rgb;
     rgb.reserve(display.size());
     for (std::size_t i = 0; i < rows.rgba.size(); i += 4) {
-        const Colour colour = exposed(&rows.rgba[i], gain);
+        const Colour colour = developed(&rows.rgba[i]);
         rgb.insert(rgb.end(), colour.begin(), colour.end());
     }
     ocio.apply(rgb, rows.width, rows.height);
@@ -148,6 +154,9 @@ std::string ocio_config() {
 }  // namespace
 
 DisplayView::DisplayView(const OutputSettings& output) : output_(output) {
+    if (!is_neutral(output.grade)) {
+        grade_.emplace(output.grade);
+    }
     if (output.view == ViewTransform::ocio) {
         ocio_.emplace(ocio_config(), render::OcioNames{output.ocio.display, output.ocio.view,
                                                        output.ocio.colour_space});
@@ -168,26 +177,27 @@ std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, 
     const Rows rows{
         std::span(glowing.rgba).subspan(4 * width * static_cast<std::size_t>(first), 4 * pixels),
         glowing.width, end - first};
-    const auto gain = static_cast<float>(exponential2(output_.exposure));
+    const Development developed{static_cast<float>(exponential2(output_.exposure)),
+                                grade_ ? &*grade_ : nullptr};
     std::vector<std::uint16_t> display(3 * pixels);
     static const ToneCurve encode(srgb_encode, 1.0);
     static const FilmicView filmic;
     static const AgxView agx;
     switch (output_.view) {
         case ViewTransform::srgb:
-            transform(rows, gain, PlainView{}, encode, display);
+            transform(rows, developed, PlainView{}, encode, display);
             break;
         case ViewTransform::filmic:
-            transform(rows, gain, filmic, encode, display);
+            transform(rows, developed, filmic, encode, display);
             break;
         case ViewTransform::raw:
-            transform(rows, gain, PlainView{}, unencoded, display);
+            transform(rows, developed, PlainView{}, unencoded, display);
             break;
         case ViewTransform::agx:
-            transform(rows, gain, agx, encode, display);
+            transform(rows, developed, agx, encode, display);
             break;
         case ViewTransform::ocio:
-            transform_by(*ocio_, rows, gain, display);
+            transform_by(*ocio_, rows, developed, display);
             break;
     }
     return display;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "pipeline/video/grade.h"
 #include "pipeline/video/output_settings.h"
 #include "render/film/film.h"
 #include "render/film/ocio_view.h"
@@ -37,6 +38,7 @@ class DisplayView {
                                                         int end) const;
 
     OutputSettings output_;
+    std::optional<Grade> grade_;
     std::optional<render::OcioView> ocio_;
 };
 

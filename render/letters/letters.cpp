@@ -36,7 +36,7 @@ struct Letters::Font {
         if (FT_New_Face(library, font.file, 0, &face) != 0) {
             FT_Done_FreeType(library);
             throw Error(std::string("the font ") + font.name + ", which " + font.use +
-                        ", is not installed (package fonts-dejavu-core)");
+                        ", is not installed (package " + font.package + ")");
         }
     }
     ~Font() {

@@ -16,17 +16,21 @@ struct LetterBox {
     [[nodiscard]] int height() const { return y1 - y0; }
 };
 
-/// A font of Debian's package fonts-dejavu-core.
+/// A font, and what an error says if it is missing.
 struct LetterFont {
     const char* file;
     const char* name;
-    const char* use;  // "numbers on balls are drawn with", for the error if it is missing
+    const char* use;      // "numbers on balls are drawn with"
+    const char* package;  // Debian's
 };
 
-inline constexpr LetterFont kBoldFont{"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf",
-                                      "DejaVu Sans Bold", "numbers on balls are drawn with"};
+/// A heavy grotesque, as balls have it.
+inline constexpr LetterFont kBallFont{"/usr/share/fonts/opentype/urw-base35/NimbusSans-Bold.otf",
+                                      "Nimbus Sans Bold", "numbers on balls are drawn with",
+                                      "fonts-urw-base35"};
 inline constexpr LetterFont kMonoFont{"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
-                                      "DejaVu Sans Mono", "overlays are written with"};
+                                      "DejaVu Sans Mono", "overlays are written with",
+                                      "fonts-dejavu-core"};
 
 /// OpenImageIO's render_text gives the same texels and takes fifty times as long for large letters.
 /// For one thread at a time.

@@ -67,8 +67,9 @@ struct BallTexture {
     Vec3 white{0.9, 0.87, 0.78};
     bool striped = false;
     int number = 0;
-    double disc_radius = 0.48;  // of the number's disc, in ball radii
-    int spots = 0;              // small red dots, as on training balls (0, 6)
+    double disc_radius = 0.385;  // of the number's disc, in ball radii
+    double band_width = 0.5;     // of the stripe, in ball diameters
+    int spots = 0;               // small red dots, as on training balls (0, 6)
 
     /// A colour that stands for all of it, as those of the other kinds.
     [[nodiscard]] Vec3 mean_colour() const { return colour; }
@@ -77,13 +78,14 @@ constexpr auto fields_of(Describes<BallTexture>) {
     using T = BallTexture;
     return fields<T>(field("colour", &T::colour), field("white", &T::white),
                      field("striped", &T::striped), field("number", &T::number),
-                     field("disc_radius", &T::disc_radius), field("spots", &T::spots));
+                     field("disc_radius", &T::disc_radius), field("band_width", &T::band_width),
+                     field("spots", &T::spots));
 }
 
 /// Woven cloth with a nap: small variations of colour in world or object xy.
 struct ClothTexture {
     Vec3 colour{0.02, 0.22, 0.14};
-    double thread = 0.0008;   // spacing of the weave, m
+    double thread = 0.0004;   // spacing of the weave, m
     double variation = 0.15;  // relative
     Placement placement{};
 

@@ -51,7 +51,7 @@ int fitted_font_size(const std::string& text, bool underlined, Letters& letters)
 
 std::shared_ptr<const CoverageMask> draw_number(int number) {
     CAROM_ASSERT(number >= 0 && number <= 999);
-    Letters letters(kBoldFont);
+    Letters letters(kBallFont);
     const std::string text = fmt::format("{}", number);
     const bool underlined = needs_underline(number);
     const int size = fitted_font_size(text, underlined, letters);

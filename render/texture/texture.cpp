@@ -61,6 +61,7 @@ struct TextureMaker {
                      ball.striped,
                      ball.spots > 0,
                      std::clamp(static_cast<float>(ball.disc_radius), 0.01F, 0.95F),
+                     std::clamp(static_cast<float>(ball.band_width), 0.01F, 0.99F),
                      number != nullptr ? number->tables() : PyramidTables{}};
         pictures = number;
     }

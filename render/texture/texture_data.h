@@ -73,8 +73,9 @@ struct BallParameters {
     V3f white{0, 0, 0};
     bool is_striped = false;
     bool has_spots = false;
-    float disc_radius = 0;  // chord radius in ball radii
-    PyramidTables number;   // of coverage; without texels: no number
+    float disc_radius = 0;      // chord radius in ball radii
+    float band_half_width = 0;  // of the stripe, along the axis, in ball radii
+    PyramidTables number;       // of coverage; without texels: no number
 };
 
 /// Plain weave under a brushed nap, with faint broad variations from wear. See ClothTiles.

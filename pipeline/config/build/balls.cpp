@@ -101,6 +101,7 @@ void override_paint(render::BallTexture& texture, const BallLook& look) {
     texture.striped = look.striped.value_or(texture.striped);
     texture.number = look.number.value_or(texture.number);
     texture.disc_radius = look.disc_radius.value_or(texture.disc_radius);
+    texture.band_width = look.band_width.value_or(texture.band_width);
     texture.spots = look.spots.value_or(texture.spots);
 }
 

@@ -17,6 +17,8 @@ void add_paint(MapSpec<T>& s) {
     s.key("number", &T::number, integer(0, 99), "number printed on the ball; 0: none");
     s.key("disc_radius", &T::disc_radius, number(inside(0, 1)),
           "radius of the number's disc, in ball radii");
+    s.key("band_width", &T::band_width, number(inside(0, 1)),
+          "width of the stripe, in diameters of the ball");
     s.key("spots", &T::spots, integer(0, 6), "small red dots, as on training balls: 0 or 6");
 }
 

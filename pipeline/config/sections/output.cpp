@@ -126,6 +126,25 @@ const MapSpec<GlowSettings>& glow_spec() {
     return spec;
 }
 
+const MapSpec<GradeSettings>& grade_spec() {
+    static const MapSpec<GradeSettings> spec = [] {
+        MapSpec<GradeSettings> s(
+            "grade",
+            "A colourist's change of the light before the view, as ASC CDL has "
+            "it: a number, or one for each of red, green and blue.");
+        s.key("slope", &GradeSettings::slope, colour(between(0, 16)),
+              "factor on the logarithm of light: the contrast, around black");
+        s.key("offset", &GradeSettings::offset, colour(between(-1, 1)),
+              "what is added to it: 0.057 is one stop");
+        s.key("power", &GradeSettings::power, colour(above_up_to(0, 16)),
+              "exponent: above 1 the middle tones become darker");
+        s.key("saturation", &GradeSettings::saturation, number(between(0, 4)),
+              "how far colours are from grey; 0: black and white");
+        return s;
+    }();
+    return spec;
+}
+
 ValueType<OverlayItem> overlay_item() {
     ValueType<OverlayItem> item =
         choice<OverlayItem>({{"frame", OverlayItem::frame},
@@ -236,6 +255,8 @@ const MapSpec<OutputSettings>& output_spec() {
               "strongly. The samples of a frame are then taken in two halves");
         s.key("glow", &OutputSettings::glow, record(glow_spec()),
               "light that lens and eye scatter around bright points");
+        s.key("grade", &OutputSettings::grade, record(grade_spec()),
+              "a change of colours and contrast before the view");
         s.check([](Reader& reader, const Node& node, OutputSettings& output) {
             const Entry* ocio = node.find("ocio");
             if (ocio != nullptr && output.view != ViewTransform::ocio) {

@@ -2,7 +2,6 @@
 
 /// Lengths in ball radii.
 struct BallLook {
-    static constexpr float kBandHalfWidth = 0.56f;  // of the stripe, along the axis
     static constexpr float kSpotRadius = 0.105f;
     static constexpr float kFinest = 1e-4f;  // narrowest edge
 };
@@ -33,13 +32,14 @@ CAROM_KERNEL Vec3Of<L> with_number(const BallParameters& ball, const Vec3Of<L>& 
     if (L::none(is_on_disc)) {
         return below;
     }
-    // Seen from +x the right-hand side is +y, seen from -x it is -y.
-    const auto right =
-        L::select(L::is_at_most(zero, direction.x), direction.y, L::opposite_sign(direction.y));
+    // Seen from +x the right-hand side is +y. The number on the opposite side stands on its head
+    // (WPA, Tournament Table & Equipment Specifications), so that its right-hand side is +y too.
+    const auto up =
+        L::select(L::is_at_most(zero, direction.x), direction.z, L::opposite_sign(direction.z));
     const auto scale = L::all(0.5f / ball.disc_radius);
     const auto middle = L::all(0.5f);
     const auto coverage = look_up_coverage<L>(
-        ball.number, {middle + right * scale, middle - direction.z * scale}, width * scale);
+        ball.number, {middle + direction.y * scale, middle - up * scale}, width * scale);
     const Vec3Of<L> ink{L::all(0.012f), L::all(0.012f), L::all(0.013f)};
     const auto painted = mixed(below, mixed(all_of<L>(ball.white), ink, coverage), disc);
     return select<L>(is_on_disc, painted, below);
@@ -64,7 +64,7 @@ CAROM_KERNEL Vec3Of<L> ball_colour(const BallParameters& ball, const Vec3Of<L>& 
     const auto width = limited<L>(footprint / radius, BallLook::kFinest, 2);
     Vec3Of<L> result = all_of<L>(ball.colour);
     if (ball.is_striped) {
-        const auto band = inside_circle<L>(L::size(direction.z), BallLook::kBandHalfWidth, width);
+        const auto band = inside_circle<L>(L::size(direction.z), ball.band_half_width, width);
         result = mixed(all_of<L>(ball.white), result, band);
     }
     if (ball.number.texels.exists()) {

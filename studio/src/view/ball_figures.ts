@@ -6,14 +6,14 @@ import {
 } from 'three';
 import type { SceneObject, ShotState } from '../protocol';
 
-const kDiscRadius = 0.48; // in ball radii, as in render/scene/material_description.h
+const kDiscRadius = 0.385; // in ball radii, as in render/scene/material_description.h
 const kAbove = 1.012; // in ball radii: in front of the disc
 const kPieces = 6; // of a patch's side
 const kPixels = 64; // of a figure's side
 const kInk = '#12100f';
 
 /// A ball's two patches, on the unit sphere in the axes of the file (y up): seen from +x the right-hand
-/// side is the ball's +y, which is the file's -z, and seen from -x the other way round.
+/// side is the ball's +y, which is the file's -z; the figure on the other side stands on its head.
 export function figurePatches(): BufferGeometry {
     const places: number[] = [];
     const uvs: number[] = [];
@@ -24,7 +24,7 @@ export function figurePatches(): BufferGeometry {
             for (let k = 0; k <= kPieces; ++k) {
                 const [u, v] = [i / kPieces, k / kPieces];
                 const [right, up] = [(2 * u - 1) * kDiscRadius, (2 * v - 1) * kDiscRadius];
-                places.push(side * Math.sqrt(1 - right * right - up * up), up, -side * right);
+                places.push(side * Math.sqrt(1 - right * right - up * up), side * up, -right);
                 uvs.push(u, v);
             }
         }

@@ -84,7 +84,7 @@ struct ColourWriter {
                  t.channel);
     }
     void operator()(const render::BallTexture& t) const {
-        out.line(t.colour, t.white, t.striped, t.number, t.disc_radius, t.spots);
+        out.line(t.colour, t.white, t.striped, t.number, t.disc_radius, t.band_width, t.spots);
     }
     void operator()(const render::ClothTexture& t) const {
         out.line(t.colour, t.thread, t.variation, t.placement);

@@ -158,10 +158,11 @@ TEST(TextureProblems, Placement) {
     EXPECT_THAT(problems_of_standard("base: {wood: {mapping: cube}}"),
                 ElementsAre("base.wood.mapping: 'mapping' must be one of uv, planar, box and "
                             "spherical, not 'cube'"));
-    EXPECT_THAT(problems_of_standard("base: {ball: {mapping: uv}}"),
-                ElementsAre("base.ball: unknown key 'mapping' in 'ball'" + where +
-                            " (the keys are colour, white, striped, number, disc_radius and "
-                            "spots)"));
+    EXPECT_THAT(
+        problems_of_standard("base: {ball: {mapping: uv}}"),
+        ElementsAre("base.ball: unknown key 'mapping' in 'ball'" + where +
+                    " (the keys are colour, white, striped, number, disc_radius, band_width and "
+                    "spots)"));
 }
 
 TEST(TextureProblems, KeysThatHaveNoMeaningForThePicture) {

@@ -114,6 +114,7 @@ TEST(PaintedSphere, FieldsOfAStripedBall_HaveTheirAreas) {
     paint.striped = true;
     paint.number = 9;
     paint.disc_radius = 0.48;
+    paint.band_width = 0.56;
     const PaintedSphere sphere = painted_sphere(paint);
     ASSERT_EQ(sphere.fields.size(), 2U);
     EXPECT_EQ(sphere.fields[0].colour, paint.colour);
