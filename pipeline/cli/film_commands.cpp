@@ -280,7 +280,8 @@ void run(const FrameCommand& command, CommandContext& context) {
         frame, pipeline::with_fitted_paths(input.shot.cameras, bake.timeline), input.shot.timing,
         bake.timeline);
     pipeline::write_picture(
-        film, view, path, pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film),
+        film, view, frame, path,
+        pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film),
         [&](std::span<std::uint8_t> rgb, int width, int height) {
             graphics.draw(layers, rgb, width, height);
         },

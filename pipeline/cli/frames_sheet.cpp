@@ -91,7 +91,7 @@ void write_frames_sheet(const Shot& shot, const sim::Bake& bake,
             pipeline::make_frame(shot, bake, number, options, {}, context.stop);
         const std::vector<PlannedFrame> layers =
             pipeline::plan_mixed_frame(number, rigs, shot.timing, bake.timeline);
-        DisplayPicture picture{film.width, film.height, view.to_8(film)};
+        DisplayPicture picture{film.width, film.height, view.to_8(film, number)};
         graphics.draw_annotations(layers, picture.rgb, film.width, film.height);
         cells.push_back({reduced(picture, sheet.most_width), line_of(layers.front()),
                          colour_of(shot, layers.front().rig)});

@@ -153,7 +153,7 @@ class SequenceSink : public FilmSink {
         const render::Film exported = exported_frame(picture, source_, frame);
         const std::vector<PlannedFrame> layers = source_.layers(frame);
         write_picture(
-            exported, view_, path_in_sequence(pattern_, frame),
+            exported, view_, frame, path_in_sequence(pattern_, frame),
             exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported),
             [&](std::span<std::uint8_t> rgb, int width, int height) {
                 graphics_.draw(layers, rgb, width, height);

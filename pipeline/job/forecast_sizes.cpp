@@ -155,7 +155,9 @@ FilmPixelCost sequence_cost(const SiteMeasurement& site, const Shot& shot, const
     for (const render::Film& mosaic : mosaics) {
         format.width = mosaic.width;
         format.height = mosaic.height;
-        pictures.push_back(shot.output.hdr10 ? to_hdr10(mosaic, shot.output) : view.to_16(mosaic));
+        const auto frame = static_cast<std::int64_t>(pictures.size());
+        pictures.push_back(shot.output.hdr10 ? to_hdr10(mosaic, shot.output, frame)
+                                             : view.to_16(mosaic, frame));
     }
     const std::vector<std::uint64_t> sizes = encoded_sizes(pictures, format, shot.output, output);
     const double pixels = static_cast<double>(format.width) * format.height;
@@ -220,7 +222,7 @@ void add_film(const FilmSource& source, const FilmPlan& plan, const FilmProbe& p
             probe, {&PixelCost::bytes, &PixelCost::seconds}, [&](const SiteMeasurement& site) {
                 return file_cost(
                     shown(first_mosaic(site), shot), path,
-                    [&](const render::Film& mosaic) { write_picture(mosaic, view, path, {}); });
+                    [&](const render::Film& mosaic) { write_picture(mosaic, view, 0, path, {}); });
             });
         forecast.film_bytes = static_cast<std::uint64_t>(frames * pixels * cost.bytes);
         forecast.encoding_seconds = frames * pixels * cost.seconds;

@@ -16,8 +16,9 @@ FrameSignal::FrameSignal(const FilmSource& source, int threads)
 const std::vector<std::uint16_t>& FrameSignal::of(std::int64_t frame, const render::Film& picture,
                                                   bool same_as_before) {
     const Shot& shot = source_.shot();
-    if (!same_as_before) {
-        display_ = shot.output.hdr10 ? to_hdr10(picture, shot.output) : view_.to_16(picture);
+    if (!same_as_before || shot.output.grain > 0) {
+        display_ =
+            shot.output.hdr10 ? to_hdr10(picture, shot.output, frame) : view_.to_16(picture, frame);
     }
     if (graphics_.is_empty()) {
         return display_;
@@ -29,7 +30,7 @@ const std::vector<std::uint16_t>& FrameSignal::of(std::int64_t frame, const rend
 }
 
 std::vector<std::uint8_t> FrameSignal::poster(std::int64_t frame, const render::Film& picture) {
-    std::vector<std::uint8_t> rgb = view_.to_8(picture);
+    std::vector<std::uint8_t> rgb = view_.to_8(picture, frame);
     graphics_.draw_annotations(source_.layers(frame), rgb, picture.width, picture.height);
     return rgb;
 }

@@ -37,7 +37,7 @@ render::Film glowing(const render::Film& film, const pipeline::GlowSettings& glo
 
 std::vector<std::uint8_t> display_rgba(const render::Film& film,
                                        const pipeline::OutputSettings& output,
-                                       const pipeline::DisplayView& view,
+                                       const pipeline::DisplayView& view, std::int64_t frame,
                                        const pipeline::DrawOver& draw_over,
                                        const std::stop_token& stop) {
     const render::Film source = glowing(film, output.glow, stop);
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> display_rgba(const render::Film& film,
         }
         const int first = static_cast<int>(band) * kRowsAtOnce;
         const std::vector<std::uint8_t> rows =
-            view.rows_to_8(source, first, std::min(first + kRowsAtOnce, film.height));
+            view.rows_to_8(source, first, std::min(first + kRowsAtOnce, film.height), frame);
         std::copy(
             rows.begin(), rows.end(),
             rgb.begin() + static_cast<std::ptrdiff_t>(3 * width * static_cast<std::size_t>(first)));

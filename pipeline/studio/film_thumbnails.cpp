@@ -83,7 +83,7 @@ std::optional<SmallPicture> FilmThumbnails::small(std::int64_t frame) {
             film = std::move(small);
         }
     }
-    std::vector<std::uint8_t> rgb = view_.to_8(*film);
+    std::vector<std::uint8_t> rgb = view_.to_8(*film, frame);
     graphics_.draw_annotations(layers, rgb, film->width, film->height);
     return SmallPicture{std::move(rgb), film->width, film->height};
 }

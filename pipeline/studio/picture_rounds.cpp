@@ -217,8 +217,8 @@ void PictureRounds::paint(Work& work, std::size_t level, const render::Film& fil
             graphics_->draw_in_scene(question.planned.front(), rgb, width, height);
         }
     };
-    picture.rgba =
-        display_rgba(film, question.shot.output, work.view, draw_over, work.context.stop);
+    picture.rgba = display_rgba(film, question.shot.output, work.view,
+                                question.planned.front().number, draw_over, work.context.stop);
 }
 
 bool PictureRounds::read_stored(Work& work) {

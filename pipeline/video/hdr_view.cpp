@@ -11,6 +11,7 @@
 #include "pipeline/video/code_value.h"
 #include "pipeline/video/glow.h"
 #include "pipeline/video/grade.h"
+#include "pipeline/video/grain.h"
 
 namespace carom::pipeline {
 
@@ -98,7 +99,8 @@ double compress_highlights(double light, double peak) {
     return light <= knee ? light : peak - knee * exponential(-(light - knee) / knee);
 }
 
-std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettings& output) {
+std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettings& output,
+                                    std::int64_t frame) {
     static const PqTable pq;
     CAROM_ASSERT(output.hdr10.has_value());
     const Hdr10Settings& settings = *output.hdr10;
@@ -122,6 +124,9 @@ std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettin
         for (const float channel : shown(light, gain, settings.peak)) {
             signal.push_back(pq(std::min(channel, static_cast<float>(settings.peak))));
         }
+    }
+    if (output.grain > 0) {
+        add_grain(signal, {frame, film.width, film.height, 0}, output.grain);
     }
     return signal;
 }

@@ -80,6 +80,7 @@ struct OutputSettings {
     DenoiseSettings denoise;  // of the linear film, before the glow
     GlowSettings glow;        // added to the linear film, before the view
     GradeSettings grade;      // of the linear film, after glow and exposure
+    double grain = 0;         // strength of film's grain in the display picture, [0, 20]; grain.h
     OverlaySettings overlay;  // drawn on the display picture, after the view
     std::optional<Hdr10Settings> hdr10;
     std::optional<AudioCodec> audio;       // none: follows from the file (audio_codec_for)

@@ -31,8 +31,9 @@ void write_atomically(const std::string& path, const Write& write) {
 
 }  // namespace
 
-void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
-                   const render::ImageMetadata& metadata, const DrawOver& draw_over,
+void write_picture(const render::Film& film, const DisplayView& view, std::int64_t frame,
+                   const std::string& path, const render::ImageMetadata& metadata,
+                   const DrawOver& draw_over,
                    const std::optional<render::ExrStandardAttributes>& standard) {
     if (is_linear_picture(path)) {
         write_atomically(path, [&](const std::string& temporary) {
@@ -40,7 +41,7 @@ void write_picture(const render::Film& film, const DisplayView& view, const std:
         });
         return;
     }
-    std::vector<std::uint8_t> display = view.to_8(film);
+    std::vector<std::uint8_t> display = view.to_8(film, frame);
     if (draw_over) {
         draw_over(display, film.width, film.height);
     }

@@ -14,6 +14,7 @@
 #include "pipeline/video/code_value.h"
 #include "pipeline/video/dither.h"
 #include "pipeline/video/glow.h"
+#include "pipeline/video/grain.h"
 #include "pipeline/video/tone_curve.h"
 
 namespace carom::pipeline {
@@ -163,13 +164,14 @@ DisplayView::DisplayView(const OutputSettings& output) : output_(output) {
     }
 }
 
-std::vector<std::uint16_t> DisplayView::to_16(const render::Film& film) const {
-    return output_.glow.strength > 0 ? rows_to_16(with_glow(film, output_.glow), 0, film.height)
-                                     : rows_to_16(film, 0, film.height);
+std::vector<std::uint16_t> DisplayView::to_16(const render::Film& film, std::int64_t frame) const {
+    return output_.glow.strength > 0
+               ? rows_to_16(with_glow(film, output_.glow), 0, film.height, frame)
+               : rows_to_16(film, 0, film.height, frame);
 }
 
-std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, int first,
-                                                   int end) const {
+std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, int first, int end,
+                                                   std::int64_t frame) const {
     CAROM_ASSERT(0 <= first && first <= end && end <= glowing.height);
     const auto width = static_cast<std::size_t>(glowing.width);
     const std::size_t pixels = width * static_cast<std::size_t>(end - first);
@@ -200,6 +202,9 @@ std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, 
             transform_by(*ocio_, rows, developed, display);
             break;
     }
+    if (output_.grain > 0) {
+        add_grain(display, {frame, glowing.width, glowing.height, first}, output_.grain);
+    }
     return display;
 }
 
@@ -224,13 +229,13 @@ std::vector<std::uint8_t> dithered(const std::vector<std::uint16_t>& fine, int p
 
 }  // namespace
 
-std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film) const {
-    return dithered(to_16(film), film.width, 0);
+std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film, std::int64_t frame) const {
+    return dithered(to_16(film, frame), film.width, 0);
 }
 
-std::vector<std::uint8_t> DisplayView::rows_to_8(const render::Film& glowing, int first,
-                                                 int end) const {
-    return dithered(rows_to_16(glowing, first, end), glowing.width, first);
+std::vector<std::uint8_t> DisplayView::rows_to_8(const render::Film& glowing, int first, int end,
+                                                 std::int64_t frame) const {
+    return dithered(rows_to_16(glowing, first, end, frame), glowing.width, first);
 }
 
 void try_view(const OutputSettings& output) {

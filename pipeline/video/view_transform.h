@@ -22,20 +22,23 @@ class DisplayView {
     /// 16-bit RGB (width * height * 3), row by row from the top left, sRGB-encoded or, with
     /// OpenColorIO, encoded for its display. The colours are those of the film over black; alpha is
     /// not used. Values below 0 and NaN become black, values above the view's white become white.
-    [[nodiscard]] std::vector<std::uint16_t> to_16(const render::Film& film) const;
+    /// Each `frame` has a grain of its own (grain.h).
+    [[nodiscard]] std::vector<std::uint16_t> to_16(const render::Film& film,
+                                                   std::int64_t frame) const;
 
     /// The same in 8 bits, dithered with a pattern that depends only on the pixel's position.
     /// 16-bit values that represent 8-bit values exactly (v * 257) are not dithered.
-    [[nodiscard]] std::vector<std::uint8_t> to_8(const render::Film& film) const;
+    [[nodiscard]] std::vector<std::uint8_t> to_8(const render::Film& film,
+                                                 std::int64_t frame) const;
 
     /// The same in parts, which threads may share: rows `first` to `end` - 1 of to_8(film), where
     /// `glowing` is `film` with the glow of the settings (glow.h).
     [[nodiscard]] std::vector<std::uint8_t> rows_to_8(const render::Film& glowing, int first,
-                                                      int end) const;
+                                                      int end, std::int64_t frame) const;
 
   private:
     [[nodiscard]] std::vector<std::uint16_t> rows_to_16(const render::Film& glowing, int first,
-                                                        int end) const;
+                                                        int end, std::int64_t frame) const;
 
     OutputSettings output_;
     std::optional<Grade> grade_;

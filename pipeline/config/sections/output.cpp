@@ -257,6 +257,8 @@ const MapSpec<OutputSettings>& output_spec() {
               "light that lens and eye scatter around bright points");
         s.key("grade", &OutputSettings::grade, record(grade_spec()),
               "a change of colours and contrast before the view");
+        s.key("grain", &OutputSettings::grain, number(between(0, 20)),
+              "grain of photographic film: 1 is a fine-grained 35 mm film, 3 a fast one");
         s.check([](Reader& reader, const Node& node, OutputSettings& output) {
             const Entry* ocio = node.find("ocio");
             if (ocio != nullptr && output.view != ViewTransform::ocio) {

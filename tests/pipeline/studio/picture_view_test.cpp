@@ -83,7 +83,7 @@ TEST_F(View, LastPicture_IsTheFilmsFrameAndIsInTheCache) {
     const testing::ScratchFolder other;
     elsewhere.cache_folder = other.path();
     const render::Film film = pipeline::make_frame(*shot, bake, 4, elsewhere, {}, {});
-    const std::vector<std::uint8_t> rgb = pipeline::DisplayView(shot->output).to_8(film);
+    const std::vector<std::uint8_t> rgb = pipeline::DisplayView(shot->output).to_8(film, 0);
     ASSERT_EQ(last.rgba.size(), rgb.size() / 3 * 4);
     for (std::size_t i = 0; i < rgb.size(); ++i) {
         ASSERT_EQ(last.rgba[i / 3 * 4 + i % 3], rgb[i]) << i;
@@ -107,7 +107,7 @@ TEST_F(View, Annotations_AreOnFramesAndThoseInTheSceneInOtherViews) {
     pipeline::FilmJobOptions options;
     options.cache_folder = other_cache.path();
     const render::Film film = pipeline::make_frame(*shot, bake, 4, options, {}, {});
-    std::vector<std::uint8_t> rgb = pipeline::DisplayView(shot->output).to_8(film);
+    std::vector<std::uint8_t> rgb = pipeline::DisplayView(shot->output).to_8(film, 0);
     const std::vector<std::uint8_t> plain = rgb;
     pipeline::FrameGraphics graphics(*shot, *timeline_, 1);
     graphics.draw(source.layers(4), std::span(rgb), film.width, film.height);
@@ -193,7 +193,7 @@ std::vector<std::uint8_t> rgba_of_film(const pipeline::Shot& shot, const sim::Ti
     options.cache_folder = folder.path();
     const std::vector<std::uint8_t> rgb =
         pipeline::DisplayView(shot.output)
-            .to_8(pipeline::make_frame(shot, bake, frame, options, {}, {}));
+            .to_8(pipeline::make_frame(shot, bake, frame, options, {}, {}), 0);
     std::vector<std::uint8_t> rgba(rgb.size() / 3 * 4, 255);
     for (std::size_t i = 0; i < rgb.size(); ++i) {
         rgba[i / 3 * 4 + i % 3] = rgb[i];

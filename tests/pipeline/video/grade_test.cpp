@@ -91,15 +91,15 @@ TEST(Grade, IsAppliedBeforeEveryView) {
     for (const ViewTransform view :
          {ViewTransform::srgb, ViewTransform::filmic, ViewTransform::agx, ViewTransform::raw}) {
         exposed.view = graded.view = view;
-        const auto by_exposure = DisplayView(exposed).to_16(film);
-        const auto by_grade = DisplayView(graded).to_16(film);
+        const auto by_exposure = DisplayView(exposed).to_16(film, 0);
+        const auto by_grade = DisplayView(graded).to_16(film, 0);
         for (std::size_t i = 0; i < 3; ++i) {
             EXPECT_NEAR(by_exposure[i], by_grade[i], 20);
         }
     }
     exposed.hdr10 = graded.hdr10 = Hdr10Settings{};
-    const auto by_exposure = to_hdr10(film, exposed);
-    const auto by_grade = to_hdr10(film, graded);
+    const auto by_exposure = to_hdr10(film, exposed, 0);
+    const auto by_grade = to_hdr10(film, graded, 0);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(by_exposure[i], by_grade[i], 20);
     }

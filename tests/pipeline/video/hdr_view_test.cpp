@@ -32,7 +32,7 @@ TEST(PqEncode, Values_AreThoseOfTheStandardAndOfBt2408) {
 
 TEST(ToHdr10, Greys_FollowTheStandardWithinATwentiethOfATenBitStep) {
     for (double light = 1e-4; light < 2; light *= 1.07) {
-        const auto signal = to_hdr10(grey(static_cast<float>(light)), hdr());
+        const auto signal = to_hdr10(grey(static_cast<float>(light)), hdr(), 0);
         const double exact = 65535 * pq_encode(203 * light);
         for (const std::uint16_t channel : signal) {
             EXPECT_NEAR(channel, exact, 64.0 / 20 + 1) << light;
@@ -43,16 +43,16 @@ TEST(ToHdr10, Greys_FollowTheStandardWithinATwentiethOfATenBitStep) {
 TEST(ToHdr10, BrightLight_ApproachesThePeakAndNeverExceedsIt) {
     double last = 0;
     for (double light = 0.1; light < 1e5; light *= 1.2) {
-        const double signal = to_hdr10(grey(static_cast<float>(light)), hdr(600))[0];
+        const double signal = to_hdr10(grey(static_cast<float>(light)), hdr(600), 0)[0];
         EXPECT_GE(signal, last);
         last = signal;
     }
     EXPECT_NEAR(last, 65535 * pq_encode(600), 2);
     for (const float odd : {std::numeric_limits<float>::infinity(), 1e30F}) {
-        EXPECT_NEAR(to_hdr10(grey(odd), hdr(600))[0], 65535 * pq_encode(600), 2);
+        EXPECT_NEAR(to_hdr10(grey(odd), hdr(600), 0)[0], 65535 * pq_encode(600), 2);
     }
-    EXPECT_LE(to_hdr10(grey(std::numeric_limits<float>::quiet_NaN()), hdr())[0], 1);
-    EXPECT_LE(to_hdr10(grey(-3), hdr())[0], 1);
+    EXPECT_LE(to_hdr10(grey(std::numeric_limits<float>::quiet_NaN()), hdr(), 0)[0], 1);
+    EXPECT_LE(to_hdr10(grey(-3), hdr(), 0)[0], 1);
 }
 
 TEST(CompressHighlights, Curve_IsSmoothAtItsKnee) {
@@ -64,7 +64,7 @@ TEST(CompressHighlights, Curve_IsSmoothAtItsKnee) {
 TEST(ToHdr10, SaturatedColour_LiesInsideTheWiderPrimaries) {
     render::Film film = grey(0);
     film.rgba = {1, 0, 0, 1};
-    const auto signal = to_hdr10(film, hdr());
+    const auto signal = to_hdr10(film, hdr(), 0);
     EXPECT_NEAR(signal[0], 65535 * pq_encode(0.6274 * 203), 4);
     EXPECT_NEAR(signal[1], 65535 * pq_encode(0.0691 * 203), 4);
     EXPECT_NEAR(signal[2], 65535 * pq_encode(0.0164 * 203), 4);
@@ -73,7 +73,7 @@ TEST(ToHdr10, SaturatedColour_LiesInsideTheWiderPrimaries) {
 TEST(ToHdr10, Exposure_IsInStops) {
     OutputSettings output = hdr();
     output.exposure = 1;
-    EXPECT_EQ(to_hdr10(grey(0.25F), output), to_hdr10(grey(0.5F), hdr()));
+    EXPECT_EQ(to_hdr10(grey(0.25F), output, 0), to_hdr10(grey(0.5F), hdr(), 0));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::vector<std::uint16_t> shown(const std::array<float, 3>& colour, ViewTransfo
     OutputSettings output;
     output.view = view;
     output.exposure = exposure;
-    return DisplayView(output).to_16(film_of({colour}, 1));
+    return DisplayView(output).to_16(film_of({colour}, 1), 0);
 }
 
 TEST(SrgbView, LinearValues_FollowTheStandardsCurve) {
@@ -191,12 +191,12 @@ TEST(OcioView, NamesAndDefaults_FollowTheConfiguration) {
     const render::Film film = film_of({{0.5F, 0.02F, 3.0F}}, 1);
     OutputSettings output;
     output.view = ViewTransform::ocio;
-    const auto plain = DisplayView(output).to_16(film);
+    const auto plain = DisplayView(output).to_16(film, 0);
     EXPECT_NEAR(plain[0], 0.5 * 65535, 2);
     EXPECT_EQ(plain[2], 65535);
     output.ocio.display = "projector";
     output.exposure = 1;
-    const auto dim = DisplayView(output).to_16(film);
+    const auto dim = DisplayView(output).to_16(film, 0);
     EXPECT_NEAR(dim[0], std::sqrt(0.5) * 65535, 8);
     EXPECT_NEAR(dim[1], std::sqrt(0.02) * 65535, 8);
 }
@@ -236,9 +236,9 @@ TEST(Views, Glow_IsAddedBeforeTheView) {
     colours[18 * 64 + 32] = {5000, 5000, 5000};
     const render::Film film = film_of(colours, 64);
     OutputSettings output;
-    EXPECT_EQ(DisplayView(output).to_16(film)[3 * (18 * 64 + 34)], 0);
+    EXPECT_EQ(DisplayView(output).to_16(film, 0)[3 * (18 * 64 + 34)], 0);
     output.glow = {0.1, 0.1};
-    EXPECT_GT(DisplayView(output).to_16(film)[3 * (18 * 64 + 34)], 30000);
+    EXPECT_GT(DisplayView(output).to_16(film, 0)[3 * (18 * 64 + 34)], 30000);
 }
 
 TEST(FilmicView, BrightSaturatedLight_BecomesWhite) {
@@ -276,7 +276,7 @@ TEST(Display8, ExactEightBitValues_DoNotChange) {
     }
     OutputSettings output;
     output.view = ViewTransform::srgb;
-    const auto display = DisplayView(output).to_8(film_of(colours, 8));
+    const auto display = DisplayView(output).to_8(film_of(colours, 8), 0);
     for (std::size_t i = 0; i < display.size(); i += 3) {
         ASSERT_EQ(display[i], 255);
         ASSERT_EQ(display[i + 1], 0);
@@ -295,8 +295,8 @@ TEST(Display8, SlowGradient_KeepsItsMeanInEveryTile) {
     OutputSettings output;
     output.view = ViewTransform::srgb;
     const render::Film film = film_of(colours, side);
-    const auto fine = DisplayView(output).to_16(film);
-    const auto coarse = DisplayView(output).to_8(film);
+    const auto fine = DisplayView(output).to_16(film, 0);
+    const auto coarse = DisplayView(output).to_8(film, 0);
     for (int tile = 0; tile < 16; ++tile) {
         double difference = 0;
         for (int i = 0; i < 256; ++i) {
@@ -325,17 +325,18 @@ TEST(Display8, Rows_AreThoseOfTheWholePicture) {
         output.view = view;
         const DisplayView display(output);
         const render::Film glowing = with_glow(film, output.glow);
-        std::vector<std::uint8_t> rows = display.rows_to_8(glowing, 0, 4);
-        const std::vector<std::uint8_t> others = display.rows_to_8(glowing, 4, 9);
+        std::vector<std::uint8_t> rows = display.rows_to_8(glowing, 0, 4, 0);
+        const std::vector<std::uint8_t> others = display.rows_to_8(glowing, 4, 9, 0);
         rows.insert(rows.end(), others.begin(), others.end());
-        EXPECT_EQ(rows, display.to_8(film));
+        EXPECT_EQ(rows, display.to_8(film, 0));
     }
 }
 
 TEST(Display8, SamePicture_GivesTheSameBytes) {
     std::vector<std::array<float, 3>> colours(100, {0.3F, 0.2F, 0.7F});
     const render::Film film = film_of(colours, 10);
-    EXPECT_EQ(DisplayView(OutputSettings{}).to_8(film), DisplayView(OutputSettings{}).to_8(film));
+    EXPECT_EQ(DisplayView(OutputSettings{}).to_8(film, 0),
+              DisplayView(OutputSettings{}).to_8(film, 0));
 }
 
 }  // namespace
