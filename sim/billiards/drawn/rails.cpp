@@ -20,7 +20,7 @@ constexpr double kInnerEdge = 0.0009;     // rounding of the wood beside the cus
 constexpr double kLowerEdge = 0.004;      // rounding under the outer edge, m
 constexpr double kJointBevel = 0.0006;    // of boards where they meet, m
 constexpr double kCastingBevel = 0.0010;  // of castings, m
-constexpr double kCastingLip = 0.0035;    // rounding of a casting into its pocket, m
+constexpr double kCastingLip = 0.0050;    // rounding of a casting into its pocket, m
 constexpr double kCastingProud = 0.0010;  // by which castings stand out from the wood, m
 constexpr double kTopSpacing = 0.12;      // m
 constexpr double kSeam = 0.0002;          // half of the gap of a mitred joint, m
@@ -149,11 +149,11 @@ class PieceBuilder {
     std::vector<Profile> outer_;
 };
 
-/// Shortens the ends of an outline by a length along it.
+/// Shortens the ends of an outline by a length along it, less where its first pieces are short.
 void shorten(PlanPath& path, double length) {
     const auto move = [&](PathPoint& end, const PathPoint& next) {
-        const Vec2 inwards = (next.position - end.position).normalized();
-        end.position += length * inwards;
+        const Vec2 piece = next.position - end.position;
+        end.position += std::min(length, 0.3 * piece.length()) * piece.normalized();
     };
     move(path.front(), path[1]);
     move(path.back(), path[path.size() - 2]);

@@ -329,5 +329,11 @@ TEST(AnyTable, Drawing_IsFinite) {
     EXPECT_GE(drawn, 20);
 }
 
+TEST(AnyTable, NarrowMitredRails_AreDrawn) {
+    TableMeasures table = *standard_table(TableKind::carom, "10 ft");
+    table.rail_width = 0.0313;  // the roundings of its corners have short pieces
+    EXPECT_NO_THROW((void)draw_table(table, 0.03075));
+}
+
 }  // namespace
 }  // namespace carom::sim::billiards
