@@ -57,7 +57,7 @@ Problem make_warning(const std::string& ball, double time,
 std::vector<Problem> cloth_problems(const Shot& shot, const ShotSource* source,
                                     const sim::Timeline& timeline) {
     std::vector<Problem> problems;
-    if (!shot.world.table || shot.world.table->has_cushions) {
+    if (!shot.world.table || shot.world.table->has_cushions || !shot.draws_table) {
         return problems;
     }
     for (const sim::Body& body : shot.world.bodies) {

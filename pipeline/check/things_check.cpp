@@ -64,7 +64,7 @@ ThingsCheck::ThingsCheck(const Shot& shot, const sim::Timeline& timeline)
 }
 
 void ThingsCheck::add_table() {
-    if (!shot_.world.table) {
+    if (!shot_.world.table || !shot_.draws_table) {
         return;
     }
     const sim::billiards::TableMeasures& table = *shot_.world.table;
@@ -142,7 +142,7 @@ bool ThingsCheck::may_be_seen(const render::CameraState& camera, double scene_ti
 }
 
 std::string ThingsCheck::place_under_table(const Vec3& point) const {
-    if (!shot_.world.table || point.z >= 0) {
+    if (!shot_.world.table || !shot_.draws_table || point.z >= 0) {
         return "";
     }
     const sim::billiards::TableMeasures& table = *shot_.world.table;
@@ -152,8 +152,9 @@ std::string ThingsCheck::place_under_table(const Vec3& point) const {
     const Vec2 half = sim::billiards::half_outline(table);
     const bool is_in_pocket =
         std::ranges::any_of(shot_.scene.objects, [&](const render::ObjectDescription& object) {
-            const auto box = object.name.starts_with("table/pocket_liner_") ? box_of(object.shape)
-                                                                            : std::nullopt;
+            const bool is_pocket = object.name.starts_with("table/pocket_liner_") ||
+                                   object.name.starts_with("table/net_");
+            const auto box = is_pocket ? box_of(object.shape) : std::nullopt;
             return box && box->intersects(point);
         });
     const bool is_under = std::abs(point.x) < half.x && std::abs(point.y) < half.y && !is_in_pocket;

@@ -52,6 +52,7 @@ struct TableSection {
     std::optional<double> length, width, cushion_height, cushion_width, rail_width, rail_height,
         height;
     std::optional<PocketsSection> pockets;
+    bool is_drawn = true;
     Place size_place;
 };
 

@@ -25,8 +25,10 @@ StandardMaterial cloth() {
     return material;
 }
 
-StandardMaterial varnished_wood() {
-    StandardMaterial material = matt(render::WoodTexture{}, 0.5);
+StandardMaterial varnished_wood(const Vec3& grain = {1, 0, 0}) {
+    render::WoodTexture wood;
+    wood.grain = grain;
+    StandardMaterial material = matt(wood, 0.5);
     material.coat = {0.7, 1.5, 0.12};
     return material;
 }
@@ -65,11 +67,17 @@ std::vector<MaterialDescription> make_materials() {
         {"cloth", cloth()},
         {"cushion", cloth()},
         {"rail", varnished_wood()},
+        {"casting", brushed_metal(Vec3(0.30, 0.27, 0.23))},
         {"pocket_liner", leather},
         {"pocket_floor", matt(Vec3(0.006, 0.006, 0.006), 0.9)},
+        {"stitch", matt(Vec3(0.42, 0.34, 0.22), 0.8)},
+        {"net", matt(Vec3(0.55, 0.52, 0.45), 0.9)},
         {"apron", varnished_wood()},
-        {"leg", varnished_wood()},
+        {"leg", varnished_wood({0, 0, 1})},
         {"sight", polished(Vec3(0.75, 0.72, 0.64))},
+        {"name_plate", brushed_metal(Vec3(0.72, 0.55, 0.26))},
+        {"line", matt(Vec3(0.60, 0.60, 0.55), 0.9)},  // tailor's chalk
+        {"spot", matt(Vec3(0.012, 0.012, 0.012), 0.9)},
         {"floor", matt(Vec3(0.035, 0.030, 0.027), 0.7)},
         {"ball", resin()},
         {"stick_tip", matt(Vec3(0.05, 0.11, 0.17), 0.9)},  // chalked
@@ -99,16 +107,28 @@ std::string_view material_of(sim::billiards::SurfacePart part) {
             return "cushion";
         case SurfacePart::rail:
             return "rail";
+        case SurfacePart::casting:
+            return "casting";
         case SurfacePart::pocket_liner:
             return "pocket_liner";
         case SurfacePart::pocket_floor:
             return "pocket_floor";
+        case SurfacePart::stitch:
+            return "stitch";
+        case SurfacePart::net:
+            return "net";
         case SurfacePart::apron:
             return "apron";
         case SurfacePart::leg:
             return "leg";
         case SurfacePart::sight:
             return "sight";
+        case SurfacePart::name_plate:
+            return "name_plate";
+        case SurfacePart::line:
+            return "line";
+        case SurfacePart::spot:
+            return "spot";
     }
     return "plain";
 }

@@ -9,9 +9,10 @@
 
 namespace carom::pipeline {
 
-/// The default materials, which a look may replace by name: "cloth", "cushion", "rail",
-/// "pocket_liner", "pocket_floor", "apron", "leg", "sight", "floor", "ball" (the finish of all
-/// balls, without their colours), "plain", and those of the cue stick (cue_stick.h).
+/// The default materials, which a look may replace by name: "cloth", "cushion", "rail", "casting",
+/// "pocket_liner", "pocket_floor", "stitch", "net", "apron", "leg", "sight", "name_plate", "line",
+/// "spot", "floor", "ball" (the finish of all balls, without their colours), "plain", and those of
+/// the cue stick (cue_stick.h).
 [[nodiscard]] const std::vector<render::MaterialDescription>& default_materials();
 
 /// The name of the default material of a part of the table.

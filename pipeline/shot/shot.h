@@ -50,6 +50,7 @@ struct Shot {
     std::vector<sim::FoundDirection> found_directions;
     std::vector<SolvedStrike> solved;  // likewise
     render::SceneDescription scene;  // its objects refer to tracks of bodies or of `keyed` by name
+    bool draws_table = true;         // false: the world's table is not in the scene
     std::vector<sim::Track> keyed;   // of objects that keys move
     ShownStick stick;                // its parts are objects of the scene
     std::vector<CameraRig> cameras;

@@ -1,14 +1,16 @@
 // The surfaces of a table as objects of the scene.
 #pragma once
 
+#include <vector>
+
 #include "render/scene/scene_description.h"
 #include "sim/billiards/table.h"
 
 namespace carom::pipeline {
 
-/// Adds the surfaces of `geometry` under the names "table/NAME", with the materials of their parts,
+/// Adds the drawn surfaces of a table under the names "table/NAME", with the materials of their parts,
 /// and the floor that the table stands on ("table/floor"; not under an unbounded cloth).
 void add_table(render::SceneDescription& scene, const sim::billiards::TableMeasures& measures,
-               const sim::billiards::TableGeometry& geometry);
+               const std::vector<sim::billiards::Surface>& surfaces);
 
 }  // namespace carom::pipeline

@@ -225,8 +225,7 @@ void StrikeTrials::find_targets() {
         }
     };
     const sim::billiards::TableGeometry table =
-        trials_.world().table ? build_table(*trials_.world().table, radii_.at(ball_),
-                                            sim::billiards::TableParts::collided)
+        trials_.world().table ? build_table(*trials_.world().table, radii_.at(ball_))
                               : sim::billiards::TableGeometry{};
     const auto add = [&](const sim::Trigger& trigger, const std::string& pocket) {
         if (trigger.kind == sim::Trigger::Kind::potted) {

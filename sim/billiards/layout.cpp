@@ -125,6 +125,7 @@ Jaw jaw_of(const PocketMeasures& pocket, bool is_corner, double cushion_width) {
 TableLayout make_layout(const TableMeasures& measures, double ball_radius) {
     TableLayout layout;
     layout.measures = measures;
+    layout.ball_radius = ball_radius;
     layout.nose_inset = nose_inset(measures.nose_height, ball_radius);
     layout.undercut = undercut(measures.nose_height, ball_radius);
     layout.nose = Vec2(0.5 * measures.length, 0.5 * measures.width) - Vec2(layout.nose_inset);

@@ -49,6 +49,7 @@ struct CushionLayout {
 
 struct TableLayout {
     TableMeasures measures;
+    double ball_radius = 0;
     double nose_inset = 0;           // of the drawn nose from the edge of the playing field
     double undercut = 0;             // angle by which the face under the nose leans back, rad
     Vec2 nose{0, 0};                 // half extents of the drawn nose lines

@@ -62,6 +62,48 @@ void add_wing(SurfaceBuilder& builder, const SideFrame& side, double from, doubl
 
 }  // namespace
 
+PlanPath circle_path(const Vec2& centre, double radius) {
+    const Vec2 right = centre + Vec2(radius, 0);
+    const Vec2 left = centre - Vec2(radius, 0);
+    return PathBuilder(OpenSide::left, kLongestStep)
+        .start(right)
+        .arc_to(left, centre, true)
+        .arc_to(right, centre, true)
+        .finish_closed();
+}
+
+PocketOpening pocket_opening(const TableLayout& layout, const PocketLayout& pocket,
+                             double radius) {
+    PocketOpening opening;
+    for (std::size_t index = 0; index < 4; ++index) {
+        const SideFrame& side = layout.sides[index];
+        if (pocket.is_corner
+                ? pocket.axis.dot(side.outward) > 0.5 && pocket.axis.dot(side.along) > 0.5
+                : pocket.axis.dot(side.outward) > 0.5) {
+            opening.first = &side;
+            opening.last = pocket.is_corner ? &layout.sides[(index + 1) % 4] : &side;
+        }
+    }
+    const Vec2 centre = pocket.pocket.centre;
+    const double inner_edge = layout.measures.cushion_width;
+    const auto on_circle = [&](const SideFrame& side, bool is_end) {
+        const Vec2 cut = side.at(cut_in_rail(layout, pocket, side, is_end), inner_edge);
+        return centre + radius * (cut - centre).normalized();
+    };
+    opening.enter = cut_in_rail(layout, pocket, *opening.first, false);
+    opening.leave = cut_in_rail(layout, pocket, *opening.last, true);
+    const Vec2 begin = on_circle(*opening.first, false);
+    const Vec2 end = on_circle(*opening.last, true);
+    opening.arc =
+        PathBuilder(OpenSide::left, kLongestStep).start(begin).arc_to(end, centre, true).finish();
+    return opening;
+}
+
+void add_wings(SurfaceBuilder& builder, const TableLayout& layout, const PocketOpening& opening) {
+    add_wing(builder, *opening.first, opening.enter - kWingLength, opening.enter, layout.measures);
+    add_wing(builder, *opening.last, opening.leave, opening.leave + kWingLength, layout.measures);
+}
+
 Surface build_pocket_liner(const TableLayout& layout, const PocketLayout& pocket) {
     SurfaceBuilder builder("pocket_liner_" + pocket.pocket.name, SurfacePart::pocket_liner);
     const Vec2 centre = pocket.pocket.centre;
@@ -75,30 +117,9 @@ Surface build_pocket_liner(const TableLayout& layout, const PocketLayout& pocket
     }
 
     // Above the cloth it exists only where the pocket is cut into wood.
-    const SideFrame* first = nullptr;
-    const SideFrame* last = nullptr;
-    for (std::size_t index = 0; index < 4; ++index) {
-        const SideFrame& side = layout.sides[index];
-        if (pocket.is_corner
-                ? pocket.axis.dot(side.outward) > 0.5 && pocket.axis.dot(side.along) > 0.5
-                : pocket.axis.dot(side.outward) > 0.5) {
-            first = &side;
-            last = pocket.is_corner ? &layout.sides[(index + 1) % 4] : &side;
-        }
-    }
-    const double inner_edge = layout.measures.cushion_width;
-    const auto on_circle = [&](const SideFrame& side, bool is_end) {
-        const Vec2 cut = side.at(cut_in_rail(layout, pocket, side, is_end), inner_edge);
-        return centre + radius * (cut - centre).normalized();
-    };
-    const double enter = cut_in_rail(layout, pocket, *first, false);
-    const double leave = cut_in_rail(layout, pocket, *last, true);
-    add_wing(builder, *first, enter - kWingLength, enter, layout.measures);
-    add_wing(builder, *last, leave, leave + kWingLength, layout.measures);
-    const Vec2 begin = on_circle(*first, false);
-    const Vec2 end = on_circle(*last, true);
-    const PlanPath arc =
-        PathBuilder(OpenSide::left, kLongestStep).start(begin).arc_to(end, centre, true).finish();
+    const PocketOpening opening = pocket_opening(layout, pocket, radius);
+    add_wings(builder, layout, opening);
+    const PlanPath& arc = opening.arc;
     const std::vector<Profile> wall =
         wall_profile(-0.6 * kSlateEdge, layout.measures.rail_height + kRimAboveRail);
     for (const Profile& profile : wall) {

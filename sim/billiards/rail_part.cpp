@@ -20,17 +20,6 @@ double cut_radius(const PocketLayout& pocket) {
     return pocket.pocket.radius - kLinerInset + kLinerThickness;
 }
 
-/// A piece of wood between an inner outline (open towards the playing field) and an outer one, both
-/// counter-clockwise around the table and cut at right angles at their ends.
-struct WoodPiece {
-    std::string name;
-    PlanPath inner;
-    PlanPath outer;
-    Vec2 grain;
-    Vec2 facing_back;   // outward normal at the first end
-    Vec2 facing_ahead;  // outward normal at the second end
-};
-
 Profile reversed(Profile profile) {
     std::reverse(profile.begin(), profile.end());
     return profile;
@@ -146,7 +135,7 @@ class Frame {
                 .finish();
         };
         add({"rail_", path(OpenSide::left, inner_), path(OpenSide::right, outer_), side.along,
-             -side.along, side.along});
+             -side.along, side.along, false});
     }
 
     void add_side_block(const SideFrame& side, const PocketLayout& pocket, double half) {
@@ -162,7 +151,7 @@ class Frame {
                                    .start(side.at(-half + kSeam, outer_))
                                    .line_to(side.at(half - kSeam, outer_))
                                    .finish();
-        add({"rail_block_", inner, outer, side.along, -side.along, side.along});
+        add({"rail_block_", inner, outer, side.along, -side.along, side.along, true});
     }
 
     void add_corner_block(std::size_t index) {
@@ -181,13 +170,15 @@ class Frame {
             inner.line_to(side.at(side.half_length + inner_, inner_));
         }
         inner.line_to(next.at(end, inner_));
+        const bool has_pocket =
+            find_pocket(layout_, (side.outward + next.outward).normalized()) != nullptr;
         const PlanPath outer = PathBuilder(OpenSide::right, kLongestStep)
                                    .start(side.at(begin, outer_))
                                    .round(side.at(side.half_length + outer_, outer_),
                                           outer_corner_radius(layout_), next.at(end, outer_))
                                    .line_to(next.at(end, outer_))
                                    .finish();
-        add({"rail_block_", inner.finish(), outer, {1, 0}, -side.along, next.along});
+        add({"rail_block_", inner.finish(), outer, {1, 0}, -side.along, next.along, has_pocket});
     }
 
     const TableLayout& layout_;
@@ -223,11 +214,19 @@ PlanPath outer_path(const TableLayout& layout) {
         .finish_closed();
 }
 
+std::vector<WoodPiece> wood_pieces(const TableLayout& layout) {
+    return Frame(layout).pieces();
+}
+
+double outer_edge_radius(const TableMeasures& measures, double top) {
+    return std::min(0.16 * measures.rail_width, 0.6 * (top - kRailBottom));
+}
+
 std::vector<Surface> build_rails(const TableLayout& layout) {
     const double top = layout.measures.rail_height;
-    const double edge = std::min(0.16 * layout.measures.rail_width, 0.6 * (top - kRailBottom));
+    const double edge = outer_edge_radius(layout.measures, top);
     std::vector<Surface> surfaces;
-    for (const WoodPiece& piece : Frame(layout).pieces()) {
+    for (const WoodPiece& piece : wood_pieces(layout)) {
         surfaces.push_back(build_piece(piece, top, edge));
     }
     return surfaces;

@@ -7,22 +7,13 @@
 
 namespace carom::sim::billiards {
 
-TableGeometry build_table(const TableMeasures& measures, double ball_radius, TableParts parts) {
-    if (const auto problems = find_problems(measures); !problems.empty()) {
-        throw Error(problems.front().sentence);
-    }
+TableGeometry build_table(const TableMeasures& measures, double ball_radius) {
+    require_no_problems(measures);
     TableGeometry geometry;
-    const bool all = parts == TableParts::all;
     if (!measures.has_cushions) {
-        if (all) {
-            geometry.surfaces.push_back(build_open_cloth(measures));
-        }
         return geometry;
     }
     const TableLayout layout = make_layout(measures, ball_radius);
-    if (all) {
-        geometry.surfaces.push_back(build_cloth(layout));
-    }
     int number = 0;
     for (const CushionLayout& cushion : layout.cushions) {
         add_faces(cushion, measures.cushion_width, geometry);
@@ -37,17 +28,13 @@ TableGeometry build_table(const TableMeasures& measures, double ball_radius, Tab
         geometry.surfaces.push_back(build_pocket_liner(layout, pocket));
         geometry.surfaces.push_back(build_pocket_floor(pocket));
     }
-    if (!all) {
-        return geometry;
-    }
-    geometry.surfaces.push_back(build_apron(layout));
-    for (Surface& leg : build_legs(layout)) {
-        geometry.surfaces.push_back(std::move(leg));
-    }
-    if (std::optional<Surface> sights = build_sights(layout)) {
-        geometry.surfaces.push_back(std::move(*sights));
-    }
     return geometry;
+}
+
+void require_no_problems(const TableMeasures& measures) {
+    if (const auto problems = find_problems(measures); !problems.empty()) {
+        throw Error(problems.front().sentence);
+    }
 }
 
 }  // namespace carom::sim::billiards

@@ -1,5 +1,5 @@
-// A billiard table: its measures and the geometry built from them. The simulation collides with
-// exactly the surfaces that are rendered.
+// A billiard table: its measures and what balls meet of it. What is drawn of a table follows the
+// makers' shapes and is built apart from this (drawn/drawn_table.h).
 #pragma once
 
 #include <array>
@@ -58,7 +58,7 @@ struct TableMeasures {
 
 /// A vertical face that balls on the cloth bounce off: a cushion between two pockets or a jaw.
 struct CushionFace {
-    Vec2 from, to;  // the ends of the drawn nose, where the rounded corners begin; the playing
+    Vec2 from, to;  // the ends of the nose, where the rounded corners begin; the playing
                     // field is on the left of from -> to
     Vec2 normal;    // unit, into the playing field
     bool is_jaw = false;
@@ -77,10 +77,30 @@ struct Pocket {
     double drop = 0;
 };
 
-enum class SurfacePart { cloth, cushion, rail, pocket_liner, pocket_floor, apron, leg, sight };
+enum class SurfacePart {
+    cloth,
+    cushion,
+    rail,
+    casting,  // of metal, around a pool table's pocket
+    pocket_liner,
+    pocket_floor,
+    stitch,
+    net,
+    apron,
+    leg,
+    sight,
+    name_plate,
+    line,  // on the cloth
+    spot,
+};
 
-/// A rendered triangle mesh in world axes; balls collide with all parts except `sight`, `leg` and
-/// `apron`.
+/// How a piece is cut from the trunk: the place and the direction of the grain in world axes.
+struct Board {
+    Vec3 origin{0, 0, 0};
+    Vec3 grain{1, 0, 0};  // unit
+};
+
+/// A triangle mesh in world axes.
 struct Surface {
     std::string name;  // "cloth", "cushion_1" ...
     SurfacePart part = SurfacePart::cloth;
@@ -88,24 +108,19 @@ struct Surface {
     std::vector<Vec3> normals;  // per vertex, unit; empty: flat
     std::vector<Vec2> uv;       // per vertex, metres along the surface; empty: none
     std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from outside
+    std::optional<Board> board{};                         // of pieces of wood
 };
 
 struct TableGeometry {
     std::vector<CushionFace> faces;
     std::vector<CushionCorner> corners;
     std::vector<Pocket> pockets;
-    std::vector<Surface> surfaces;
+    std::vector<Surface> surfaces;  // solids that balls in the air hit; the bed is a plane instead
 };
 
-enum class TableParts {
-    all,
-    collided,  // only the parts for collisions (the cloth is a plane with holes instead)
-};
-
-/// `ball_radius` determines the position of the drawn nose, which touches such a ball above its
-/// centre: the nose is R - sqrt(R^2 - (h - R)^2) inside the line that the ball's foremost point
-/// touches.
-[[nodiscard]] TableGeometry build_table(const TableMeasures& measures, double ball_radius,
-                                        TableParts parts = TableParts::all);
+/// What balls meet. `ball_radius` determines the position of the nose, which touches such a ball
+/// above its centre: the nose is R - sqrt(R^2 - (h - R)^2) inside the line that the ball's foremost
+/// point touches. Throws Error if the measures have problems.
+[[nodiscard]] TableGeometry build_table(const TableMeasures& measures, double ball_radius);
 
 }  // namespace carom::sim::billiards

@@ -9,9 +9,9 @@
 namespace carom::sim {
 namespace {
 
-// Holes are drawn as polygons with 96 corners on their circle. Balls fall over the circle inside
-// that polygon (cos(pi / 96), a fortieth of a millimetre less), so that they do not hit the drawn
-// edge first.
+// Pockets are lined with polygons with 96 corners on their circle. Balls fall over the circle inside
+// that polygon (cos(pi / 96), a fortieth of a millimetre less), so that they do not hit its edge
+// first.
 constexpr double kInsideOfPolygon = 0.99946;
 
 constexpr std::size_t kMaxKept = 4;
@@ -27,10 +27,7 @@ std::optional<std::string> material_of(billiards::SurfacePart part) {
         case billiards::SurfacePart::pocket_liner:
         case billiards::SurfacePart::pocket_floor:
             return "pocket";
-        case billiards::SurfacePart::cloth:
-        case billiards::SurfacePart::apron:
-        case billiards::SurfacePart::leg:
-        case billiards::SurfacePart::sight:
+        default:  // only drawn
             break;
     }
     return std::nullopt;
@@ -38,7 +35,7 @@ std::optional<std::string> material_of(billiards::SurfacePart part) {
 
 CollidedTable build(const billiards::TableMeasures& measures, double ball_radius) {
     CollidedTable table;
-    table.geometry = billiards::build_table(measures, ball_radius, billiards::TableParts::collided);
+    table.geometry = billiards::build_table(measures, ball_radius);
     for (std::size_t i = 0; i < table.geometry.surfaces.size(); ++i) {
         const billiards::Surface& surface = table.geometry.surfaces[i];
         const auto material = material_of(surface.part);

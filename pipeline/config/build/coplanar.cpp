@@ -122,7 +122,7 @@ void warn_about_coplanar_surfaces(Builder& builder) {
         return;
     }
     std::vector<FlatSurface> known;
-    if (builder.shot.world.table) {
+    if (builder.shot.world.table && builder.shot.draws_table) {
         known.push_back(cloth_of(*builder.shot.world.table));
     }
     const auto& objects = builder.shot.scene.objects;

@@ -59,7 +59,7 @@ void check_ball(const sim::Body& ball, double radius, Builder& builder) {
     if (distance > kFarAway) {
         return warn_far_away(ball, distance, builder);
     }
-    if (distance > 0 && !table.has_cushions) {
+    if (distance > 0 && !table.has_cushions && builder.shot.draws_table) {
         builder.reader.warning(place_of_ball(builder, ball.name),
                                quote(ball.name) + " starts " + rounded(distance) +
                                    " outside the drawn cloth, a square of " + show(table.length) +

@@ -7,6 +7,7 @@
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 #include "pipeline/shot/table_scene.h"
+#include "sim/billiards/drawn/drawn_table.h"
 #include "sim/billiards/spots.h"
 
 namespace carom::pipeline::config {
@@ -190,8 +191,16 @@ void build_table_geometry(Builder& builder) {
 }
 
 void build_table_scene(Builder& builder) {
-    if (builder.table_geometry) {
-        add_table(builder.shot.scene, *builder.shot.world.table, *builder.table_geometry);
+    builder.shot.draws_table = builder.file.table && builder.file.table->is_drawn;
+    if (!builder.shot.draws_table || !builder.shot.world.table) {
+        return;
+    }
+    const TableMeasures& measures = *builder.shot.world.table;
+    const double radius = measures_of_set(builder.file).radius;
+    if (builder.tables != nullptr) {
+        add_table(builder.shot.scene, measures, *builder.tables->drawn(measures, radius));
+    } else {
+        add_table(builder.shot.scene, measures, sim::billiards::draw_table(measures, radius));
     }
 }
 

@@ -1,8 +1,12 @@
 // Tests of tables and racks in the simulation and in the scene.
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include <gmock/gmock.h>
 
+#include "sim/bake.h"
+#include "sim/billiards/drawn/drawn_table.h"
 #include "tests/folders.h"
 #include "tests/pipeline/config/load.h"
 
@@ -11,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using sim::billiards::TableKind;
+using testing::HasSubstr;
 
 TEST(Table, StandardSizes_AreThePublishedOnes) {
     const Shot pool = load_sections("table: {kind: pool, size: 9 ft}\n");
@@ -71,6 +76,68 @@ TEST(Table, Surfaces_HaveMaterials) {
         EXPECT_EQ(std::count_if(shot.scene.materials.begin(), shot.scene.materials.end(), has), 1)
             << name;
     }
+}
+
+// A board is an object in the axes of its trunk; in the world it lies where the table has it.
+TEST(Table, Boards_LieAtTheirPlacesWithTheirGrainAlong) {
+    const Shot shot = load_sections("table: {kind: pool}\n");
+    const auto drawn = sim::billiards::draw_table(*shot.world.table, 0.028575);
+    int boards = 0;
+    for (const sim::billiards::Surface& surface : drawn) {
+        const auto object =
+            std::ranges::find(shot.scene.objects, "table/" + surface.name,
+                              [](const render::ObjectDescription& each) { return each.name; });
+        ASSERT_NE(object, shot.scene.objects.end()) << surface.name;
+        const auto& mesh = std::get<render::MeshShape>(object->shape);
+        ASSERT_EQ(mesh.vertices.size(), surface.vertices.size());
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            Vec3 vertex;
+            Vec3 normal;
+            object->world_from_object.multVecMatrix(mesh.vertices[i], vertex);
+            object->world_from_object.multDirMatrix(mesh.normals[i], normal);
+            ASSERT_LT((vertex - surface.vertices[i]).length(), 1e-12) << surface.name;
+            ASSERT_LT((normal - surface.normals[i]).length(), 1e-12) << surface.name;
+        }
+        if (surface.board) {
+            Vec3 along;
+            object->world_from_object.multDirMatrix(Vec3(1, 0, 0), along);
+            EXPECT_EQ(along, surface.board->grain);
+            ++boards;
+        }
+    }
+    EXPECT_EQ(boards, 6 + 4 + 4);  // rails, apron, legs
+}
+
+TEST(Table, NotDrawn_IsStillHit) {
+    const Shot seen = load_sections("table: {kind: pool}\nballs: {cue: {at: [0, 0]}}\n");
+    const Shot unseen =
+        load_sections("table: {kind: pool, drawn: false}\nballs: {cue: {at: [0, 0]}}\n");
+    EXPECT_TRUE(seen.draws_table);
+    EXPECT_FALSE(unseen.draws_table);
+    ASSERT_EQ(unseen.scene.objects.size(), 1U);  // no table, no floor
+    EXPECT_EQ(unseen.scene.objects[0].name, "cue");
+    EXPECT_EQ(unseen.world.table, seen.world.table);
+    EXPECT_EQ(unseen.world.floor_height, seen.world.floor_height);
+    EXPECT_EQ(sim::physics_hash(unseen.world), sim::physics_hash(seen.world));
+    EXPECT_EQ(unseen.scene.lights.size(), seen.scene.lights.size());
+}
+
+/// The first problem of sections with a camera.
+std::string first_problem_of(const std::string& sections) {
+    return first_problem("carom: 1\n" + kCamera + sections);
+}
+
+TEST(Table, NotDrawn_LetsObjectsLieInThePlaneOfTheCloth) {
+    const std::string bed =
+        "objects: {bed: {rectangle: [2 m, 1 m], at: [0, 0, 0]}}\nballs: {cue: {at: [0, 0]}}\n";
+    EXPECT_THAT(first_problem_of("table: {kind: pool}\n" + bed), HasSubstr("in the same plane"));
+    EXPECT_EQ(first_problem_of("table: {kind: pool, drawn: false}\n" + bed), "");
+}
+
+TEST(Table, NotDrawnCloth_HasNoEdge) {
+    const std::string ball = "balls: {cue: {at: [3.2, 0]}}\n";
+    EXPECT_THAT(first_problem_of("table: {kind: cloth}\n" + ball), HasSubstr("drawn cloth"));
+    EXPECT_EQ(first_problem_of("table: {kind: cloth, drawn: false}\n" + ball), "");
 }
 
 TEST(Rack, Balls_AreInTheWorldAndTheScene) {

@@ -82,7 +82,7 @@ const std::vector<NamedPocket>& pockets() {
         std::vector<NamedPocket> named;
         const auto table =
             sim::billiards::build_table(*sim::billiards::standard_table(TableKind::pool, "9 ft"),
-                                        kRadius, sim::billiards::TableParts::collided);
+                                        kRadius);
         for (const auto& pocket : table.pockets) {
             named.push_back({pocket.name, pocket.centre});
         }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh_helpers.h"
+#include "sim/billiards/drawn/drawn_table.h"
 
 namespace carom::sim::billiards {
 namespace {
@@ -22,7 +23,7 @@ class CushionContact : public testing::TestWithParam<test::NamedTable> {
     }
     [[nodiscard]] double distance_to_cushions(const Vec2& centre) const {
         double nearest = 1;
-        for (const Surface* cushion : test::parts(geometry_, SurfacePart::cushion)) {
+        for (const Surface* cushion : test::parts(geometry_.surfaces, SurfacePart::cushion)) {
             nearest = std::min(nearest,
                                test::distance_to_surface({centre.x, centre.y, radius_}, *cushion));
         }
@@ -69,7 +70,8 @@ TEST_P(CushionContact, RoundCorners_BallTouchesTheDrawnCushion) {
 }
 
 TEST_P(CushionContact, BallOnTheCloth_RestsOnTheDrawnCloth) {
-    const Surface& cloth = *test::parts(geometry_, SurfacePart::cloth).front();
+    const std::vector<Surface> drawn = draw_table(measures_, radius_);
+    const Surface& cloth = *test::parts(drawn, SurfacePart::cloth).front();
     EXPECT_NEAR(test::distance_to_surface({0.217, -0.131, radius_}, cloth), radius_, 1e-15);
 }
 

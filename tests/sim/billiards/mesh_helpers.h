@@ -28,9 +28,9 @@ inline constexpr std::array<NamedTable, 5> kTables{
      {"snooker_12ft", TableKind::snooker, "12 ft", 0.02625},
      {"carom_10ft", TableKind::carom, "10 ft", 0.03075}}};
 
-inline std::vector<const Surface*> parts(const TableGeometry& geometry, SurfacePart part) {
+inline std::vector<const Surface*> parts(const std::vector<Surface>& surfaces, SurfacePart part) {
     std::vector<const Surface*> found;
-    for (const Surface& surface : geometry.surfaces) {
+    for (const Surface& surface : surfaces) {
         if (surface.part == part) {
             found.push_back(&surface);
         }
@@ -116,12 +116,12 @@ struct Landing {
     double z = 0;
 };
 
-inline std::optional<Landing> drop_at(const TableGeometry& geometry, const Vec2& place) {
+inline std::optional<Landing> drop_at(const std::vector<Surface>& surfaces, const Vec2& place) {
     std::optional<Landing> highest;
     const auto side = [](const Vec3& a, const Vec3& b, const Vec2& p) {
         return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
     };
-    for (const Surface& surface : geometry.surfaces) {
+    for (const Surface& surface : surfaces) {
         for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
             const Vec3 a = corner(surface, t, 0);
             const Vec3 b = corner(surface, t, 1);

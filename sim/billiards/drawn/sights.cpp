@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
+#include "sim/billiards/drawn/drawn_parts.h"
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
 
@@ -15,8 +16,6 @@ constexpr double kDiamondLength = 0.0254;
 constexpr double kDiamondWidth = 0.0111125;
 constexpr double kDiscRadius = 0.00635;
 constexpr double kFromNose = 0.0936625;
-constexpr double kHeight = 0.00015;  // above the wood, m
-constexpr double kDepth = 0.0006;    // into it, m
 
 Loop diamond(const Vec2& centre, const Vec2& axis) {
     const Vec2 across(-axis.y, axis.x);
@@ -35,28 +34,14 @@ Loop disc(const Vec2& centre) {
     return loop;
 }
 
-void add_plate(SurfaceBuilder& builder, const Loop& outline, double rail_height) {
-    const double top = rail_height + kHeight;
-    const double bottom = rail_height - kDepth;
-    builder.add_level(std::span(&outline, 1), top, true, HUGE_VAL);
-    builder.add_level(std::span(&outline, 1), bottom, false, HUGE_VAL);
-    PathBuilder path(OpenSide::right, 1);
-    path.start(outline.front());
-    for (const Vec2& corner : outline) {
-        path.line_to(corner);
-    }
-    builder.sweep(path.finish_closed(), straight_profile({0, top}, {0, bottom}));
-}
-
 }  // namespace
 
-std::optional<Surface> build_sights(const TableLayout& layout) {
+std::vector<Loop> sight_outlines(const TableLayout& layout) {
     const TableMeasures& measures = layout.measures;
-    if (measures.kind == TableKind::snooker ||
-        kFromNose > measures.cushion_width + measures.rail_width - kDiamondLength) {
-        return {};
+    std::vector<Loop> outlines;
+    if (measures.kind == TableKind::snooker) {
+        return outlines;
     }
-    SurfaceBuilder builder("sights", SurfacePart::sight);
     for (std::size_t index = 0; index < 4; ++index) {
         const SideFrame& side = layout.sides[index];
         const bool is_long = index % 2 == 0;
@@ -68,13 +53,11 @@ std::optional<Surface> build_sights(const TableLayout& layout) {
                 continue;
             }
             const Vec2 centre = side.at(sight * step, kFromNose);
-            add_plate(
-                builder,
-                measures.kind == TableKind::carom ? disc(centre) : diamond(centre, side.outward),
-                measures.rail_height);
+            outlines.push_back(measures.kind == TableKind::carom ? disc(centre)
+                                                                 : diamond(centre, side.outward));
         }
     }
-    return std::move(builder).finish();
+    return outlines;
 }
 
 }  // namespace carom::sim::billiards
