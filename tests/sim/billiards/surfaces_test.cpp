@@ -192,6 +192,12 @@ TEST_P(TableSurfaces, Sights_AreInlaidAtEighthsOfTheField) {
         EXPECT_EQ(v.z, measures_.rail_height);  // flush
     }
     const double inset = 0.5 * measures_.width + nose_line();
+    double farthest = 0;
+    for (const Vec3& v : sights[0]->vertices) {
+        farthest = std::max(farthest, std::abs(v.y));
+    }
+    const double half_size = measures_.kind == TableKind::carom ? 0.00635 : 0.0127;
+    EXPECT_NEAR(farthest, inset + 0.0936625 + half_size, 1e-6);
     const double aside = 0.5 * measures_.length + nose_line();
     int found = 0;
     for (int eighth = -4; eighth <= 4; ++eighth) {
