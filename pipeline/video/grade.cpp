@@ -24,14 +24,15 @@ double encoded(double light) {
     return light <= kLinearBelow ? kSlope * light + kOffset : (logarithm2(light) + kShift) / kStops;
 }
 
+/// Negative for the codes below black.
 double decoded(double code) {
     const double light = (code - kOffset) / kSlope;
-    return std::max(light <= kLinearBelow ? light : exponential2(code * kStops - kShift), 0.0);
+    return light <= kLinearBelow ? light : exponential2(code * kStops - kShift);
 }
 
 // Places of LogarithmicTable: the first bits of the numbers from kDimmest to above kBrightest.
-// Below, the encoding is straight.
-constexpr float kDimmest = 0x1p-9F;
+// Below, a grade is nearly straight.
+constexpr float kDimmest = 0x1p-13F;
 constexpr unsigned kDropped = 17;  // bits of a number that only interpolate: 6 of 23 remain
 constexpr std::uint32_t kFirst = std::bit_cast<std::uint32_t>(kDimmest) >> kDropped;
 constexpr std::uint32_t kPlaces = (std::bit_cast<std::uint32_t>(0x1p16F) >> kDropped) - kFirst;
@@ -98,7 +99,7 @@ Grade::Colour Grade::operator()(const Colour& light) const {
         const float place = std::clamp(saturated, 0.0F, static_cast<float>(kCodes));
         const auto cell = static_cast<std::size_t>(place);
         const float fraction = place - static_cast<float>(cell);
-        result[i] = light_[cell] + (light_[cell + 1] - light_[cell]) * fraction;
+        result[i] = std::max(light_[cell] + (light_[cell + 1] - light_[cell]) * fraction, 0.0F);
     }
     return result;
 }

@@ -31,8 +31,8 @@ float normal_of(std::uint32_t bits) {
     return (static_cast<float>(sum) - 510.0F) * kScale;
 }
 
-/// The deviation that grains with a radius of one pixel give to a 16-bit signal, by the upper 8
-/// bits of that.
+/// The deviation that grains with a radius of one pixel give to a 16-bit signal, by 1/256 of the
+/// signal.
 std::array<float, 257> make_deviations() {
     std::array<float, 257> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -79,8 +79,9 @@ void add_grain(std::span<std::uint16_t> signal, const GrainPlace& place, double 
         for (std::size_t i = 0; i < row_length; ++i) {
             std::uint16_t& value = signal[row * row_length + i];
             const std::uint32_t bits = spread(of_row ^ static_cast<std::uint32_t>(i) * 0x9e3779b9U);
-            const std::size_t cell = value >> 8U;
-            const float fraction = static_cast<float>(value & 0xffU) / 256.0F;
+            const float at = static_cast<float>(value) * (256.0F / 65535.0F);
+            const std::size_t cell = std::min(static_cast<std::size_t>(at), std::size_t{255});
+            const float fraction = at - static_cast<float>(cell);
             const float sigma =
                 deviation[cell] + (deviation[cell + 1] - deviation[cell]) * fraction;
             const float grainy = static_cast<float>(value) + radius * sigma * normal_of(bits);

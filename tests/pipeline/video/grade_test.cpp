@@ -74,8 +74,8 @@ TEST(Grade, NumbersThatAreNotLight_AreBlackOrTheBrightest) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
     const Colour found = grade({nan, -1, infinity});
-    EXPECT_EQ(found[0], 0);
-    EXPECT_EQ(found[1], 0);
+    EXPECT_NEAR(found[0], 0, 1e-7);
+    EXPECT_NEAR(found[1], 0, 1e-7);
     EXPECT_NEAR(found[2], 65504, 20);
 }
 

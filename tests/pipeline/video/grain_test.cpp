@@ -11,7 +11,7 @@ namespace {
 constexpr int kWidth = 200;
 constexpr int kHeight = 100;
 
-std::vector<std::uint16_t> grainy(double u, std::int64_t frame, double strength = 100) {
+std::vector<std::uint16_t> grainy(double u, std::int64_t frame, double strength = 20) {
     std::vector<std::uint16_t> signal(std::size_t{3} * kWidth * kHeight,
                                       static_cast<std::uint16_t>(std::lround(65535 * u)));
     add_grain(signal, {frame, kWidth, kHeight, 0}, strength);
@@ -47,7 +47,7 @@ TEST(Grain, HasTheDeviationOfTheModelAndKeepsTheMean) {
             mean += value / 65535.0;
         }
         mean /= static_cast<double>(signal.size());
-        const double radius = 100 * 2.4e-5 * kHeight;
+        const double radius = 20 * 2.4e-5 * kHeight;
         const double deviation = std::sqrt(std::acos(-1.0) * grain_variance(u)) * radius;
         EXPECT_NEAR(mean, u, 4 * deviation / std::sqrt(static_cast<double>(signal.size())));
         EXPECT_NEAR(std::sqrt(covariance(signal, mean, 0)), deviation, 0.03 * deviation) << u;
@@ -83,7 +83,7 @@ TEST(Grain, InParts_IsThatOfTheWhole) {
     constexpr int kRows = 37;
     std::vector<std::uint16_t> part(std::size_t{3} * kWidth * (kHeight - kRows),
                                     static_cast<std::uint16_t>(std::lround(65535 * 0.4)));
-    add_grain(part, {9, kWidth, kHeight, kRows}, 100);
+    add_grain(part, {9, kWidth, kHeight, kRows}, 20);
     EXPECT_TRUE(
         std::equal(part.begin(), part.end(), whole.begin() + std::ptrdiff_t{3} * kWidth * kRows));
 }

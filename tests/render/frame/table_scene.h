@@ -11,10 +11,14 @@ namespace carom::test {
 inline SceneBuilder table() {
     SceneBuilder builder;
     render::StandardMaterial cloth;
-    cloth.base = render::ClothTexture{};
+    cloth.base = render::ClothTexture{.thread = 0.0008};
     cloth.sheen = 0.3;
     render::StandardMaterial ball;
-    ball.base = render::BallTexture{.colour = Vec3(0.8, 0.1, 0.1), .striped = true, .number = 11};
+    ball.base = render::BallTexture{.colour = Vec3(0.8, 0.1, 0.1),
+                                    .striped = true,
+                                    .number = 11,
+                                    .disc_radius = 0.48,
+                                    .band_width = 0.56};
     ball.coat.weight = 1;
     builder.material("cloth", cloth).material("ball", ball);
     builder.object("bed", render::PlaneShape{}, Vec3(0, 0, 0), "cloth");

@@ -70,7 +70,7 @@ TEST(BallPaint, SixAndNine_AreUnderlinedAndThereforeNotTheSameUpsideDown) {
         const BallPaint paint(painted(number));
         int count = 0;
         bool in_ink = false;
-        for (float up = 0.45f; up > -0.45f; up -= 0.01f) {
+        for (float up = 0.36f; up > -0.36f; up -= 0.01f) {
             const bool has_ink = ink(paint, 1, -0.1f, 0.1f, up, up + 0.005f) > 0;
             count += has_ink && !in_ink ? 1 : 0;
             in_ink = has_ink;
