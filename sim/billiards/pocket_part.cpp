@@ -72,8 +72,7 @@ PlanPath circle_path(const Vec2& centre, double radius) {
         .finish_closed();
 }
 
-PocketOpening pocket_opening(const TableLayout& layout, const PocketLayout& pocket,
-                             double radius) {
+PocketOpening pocket_opening(const TableLayout& layout, const PocketLayout& pocket, double radius) {
     PocketOpening opening;
     for (std::size_t index = 0; index < 4; ++index) {
         const SideFrame& side = layout.sides[index];

@@ -9,9 +9,9 @@
 namespace carom::sim {
 namespace {
 
-// Pockets are lined with polygons with 96 corners on their circle. Balls fall over the circle inside
-// that polygon (cos(pi / 96), a fortieth of a millimetre less), so that they do not hit its edge
-// first.
+// Pockets are lined with polygons with 96 corners on their circle. Balls fall over the circle
+// inside that polygon (cos(pi / 96), a fortieth of a millimetre less), so that they do not hit its
+// edge first.
 constexpr double kInsideOfPolygon = 0.99946;
 
 constexpr std::size_t kMaxKept = 4;

@@ -135,8 +135,7 @@ TEST(Crossing_ByABodyInOde, IsOnItsPath) {
 
 TEST(Crossing_ByABallOnTheEdgeOfAPocket, IsOnItsPath) {
     WorldDescription world = nine_ball_world(3);
-    const billiards::Pocket pocket =
-        billiards::build_table(*world.table, kRadius).pockets[0];
+    const billiards::Pocket pocket = billiards::build_table(*world.table, kRadius).pockets[0];
     const Vec2 outward = Vec2(-1, -1).normalized();
     const Vec2 start = pocket.centre - outward * (pocket.radius + 0.02);
     world.bodies = {rolling(start.x, start.y, Vec3(outward.x, outward.y, 0) * 0.1),
@@ -156,8 +155,7 @@ TEST(Crossing_ByABallOnTheEdgeOfAPocket, IsOnItsPath) {
 
 TEST(Trigger_Potted, FiresAfterTheBallHasFallen) {
     WorldDescription world = nine_ball_world(2);
-    const billiards::Pocket pocket =
-        billiards::build_table(*world.table, kRadius).pockets[1];
+    const billiards::Pocket pocket = billiards::build_table(*world.table, kRadius).pockets[1];
     world.bodies = {ball("one", pocket.centre.x, pocket.centre.y), ball("marker", 0.5, 0)};
     for (const double after : {0.0, 0.2}) {
         ForceEvent event = when_crossing("one", {0, 0}, {1, 0}, 0, after);

@@ -123,9 +123,10 @@ const MapSpec<TableSection>& table_spec() {
               "height of the cloth above the floor");
         s.key("pockets", &TableSection::pockets, pockets(),
               "`none`, or the dimensions of both kinds of pocket");
-        s.key("drawn", &TableSection::is_drawn, boolean(),
-              "whether the table and the floor under it are in the picture. With `false` balls roll, "
-              "rebound and fall as before, and objects of the shot show what they do it on");
+        s.key(
+            "drawn", &TableSection::is_drawn, boolean(),
+            "whether the table and the floor under it are in the picture. With `false` balls roll, "
+            "rebound and fall as before, and objects of the shot show what they do it on");
         s.check(check_measures);
         return s;
     }();

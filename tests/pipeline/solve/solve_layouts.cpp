@@ -80,9 +80,8 @@ struct NamedPocket {
 const std::vector<NamedPocket>& pockets() {
     static const std::vector<NamedPocket> list = [] {
         std::vector<NamedPocket> named;
-        const auto table =
-            sim::billiards::build_table(*sim::billiards::standard_table(TableKind::pool, "9 ft"),
-                                        kRadius);
+        const auto table = sim::billiards::build_table(
+            *sim::billiards::standard_table(TableKind::pool, "9 ft"), kRadius);
         for (const auto& pocket : table.pockets) {
             named.push_back({pocket.name, pocket.centre});
         }

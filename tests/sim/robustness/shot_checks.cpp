@@ -41,9 +41,7 @@ void check_warnings(const Timeline& timeline, std::vector<std::string>& faults) 
 class Solids {
   public:
     Solids(const billiards::TableMeasures& table, double radius)
-        : table_(table),
-          radius_(radius),
-          geometry_(billiards::build_table(table, radius)) {}
+        : table_(table), radius_(radius), geometry_(billiards::build_table(table, radius)) {}
 
     /// Depth (m) of a ball inside a solid; 0 outside. `has_left`: the ball has left the table over
     /// its rails; from the floor it may get under the table.
