@@ -124,6 +124,30 @@ bool shows_its_inside(const Shot& shot, const std::string& material) {
     });
 }
 
+/// What balls meet of a table that is drawn. What is drawn of it is not made of closed surfaces.
+std::vector<render::ObjectDescription> solids_of_table(const Shot& shot) {
+    std::vector<render::ObjectDescription> solids;
+    if (!shot.world.table || !shot.draws_table) {
+        return solids;
+    }
+    double radius = 0.028575;  // of a pool ball
+    for (const sim::Body& body : shot.world.bodies) {
+        if (const auto* sphere = std::get_if<sim::Sphere>(&body.shape)) {
+            radius = sphere->radius;
+        }
+    }
+    for (const auto& surface : build_table(*shot.world.table, radius).surfaces) {
+        render::MeshShape mesh;
+        mesh.vertices = surface.vertices;
+        mesh.triangles = surface.triangles;
+        render::ObjectDescription object;
+        object.name = "table/" + surface.name;
+        object.shape = std::move(mesh);
+        solids.push_back(std::move(object));
+    }
+    return solids;
+}
+
 }  // namespace
 
 bool is_room(const Shot& shot, const render::ObjectDescription& object, const Imath::Box3d& box) {
@@ -149,22 +173,29 @@ bool is_room(const Shot& shot, const render::ObjectDescription& object, const Im
 }
 
 SolidCheck::SolidCheck(const Shot& shot, const sim::Timeline& timeline)
-    : shot_(shot), meshes_(kLargestMesh), work_(kMaxTriangleTests) {
+    : shot_(shot), table_(solids_of_table(shot)), meshes_(kLargestMesh), work_(kMaxTriangleTests) {
+    for (const render::ObjectDescription& object : table_) {
+        add(object, timeline);
+    }
     for (const render::ObjectDescription& object : shot.scene.objects) {
-        if (!has_inside(object.shape) || shows_its_inside(shot, object.material)) {
-            continue;
-        }
-        Solid solid;
-        solid.object = &object;
-        solid.track = object.track.empty() ? nullptr : timeline.find(object.track);
-        if (!object.track.empty() && solid.track == nullptr) {
-            continue;
-        }
-        solid.object_from_world = object.world_from_object.inverse();
-        solid.box = box_of(object.shape);
-        if (!solid.box || !is_room(shot, object, *solid.box)) {
-            solids_.push_back(std::move(solid));
-        }
+        add(object, timeline);
+    }
+}
+
+void SolidCheck::add(const render::ObjectDescription& object, const sim::Timeline& timeline) {
+    if (!has_inside(object.shape) || shows_its_inside(shot_, object.material)) {
+        return;
+    }
+    Solid solid;
+    solid.object = &object;
+    solid.track = object.track.empty() ? nullptr : timeline.find(object.track);
+    if (!object.track.empty() && solid.track == nullptr) {
+        return;
+    }
+    solid.object_from_world = object.world_from_object.inverse();
+    solid.box = box_of(object.shape);
+    if (!solid.box || !is_room(shot_, object, *solid.box)) {
+        solids_.push_back(std::move(solid));
     }
 }
 

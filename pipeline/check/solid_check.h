@@ -36,6 +36,7 @@ class SolidCheck {
         bool is_known_mesh = false;  // read and examined; without a mesh it does not count
     };
 
+    void add(const render::ObjectDescription& object, const sim::Timeline& timeline);
     [[nodiscard]] bool is_inside(Solid& solid, const Vec3& point);
     void read_mesh(Solid& solid);
     /// `whole`: with its triangles. Each file is looked at once.
@@ -43,6 +44,7 @@ class SolidCheck {
                                       const render::MeshShape& whole);
 
     const Shot& shot_;
+    std::vector<render::ObjectDescription> table_;
     WholeMeshes meshes_;
     std::map<std::string, bool> closed_files_;
     std::vector<Solid> solids_;

@@ -188,7 +188,7 @@ TEST_F(CameraWarnings, CameraUnderTheCloth_IsAWarning) {
                position + "\n      |     ^~~~~~~~\ncarom: 's.yaml' has no errors, but 1 warning\n";
     };
     EXPECT_EQ(at("[0, 0, -0.02]"), warning("[0, 0, -0.02]", "under the cloth"));
-    EXPECT_EQ(at("[1.4, 0.2, 0.02]"), warning("[1.4, 0.2, 0.02]", "inside 'table/rail_5'"));
+    EXPECT_EQ(at("[1.4, 0.2, -0.02]"), warning("[1.4, 0.2, -0.02]", "inside 'table/rail_5'"));
     EXPECT_EQ(at("[3, 0, -1]"), warning("[3, 0, -1]", "under the floor"));
     EXPECT_EQ(at("[1.29, 0.655, -0.02]"), kNone) << "in a pocket";
     EXPECT_EQ(at("[1.7, 0, -0.1]"), kNone) << "beside the table";
