@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <tuple>
 #include <variant>
 
 #include "pipeline/check/shape_box.h"
 #include "pipeline/shot/material_textures.h"
+#include "pipeline/shot/table_scene.h"
 #include "render/geometry/affine.h"
 #include "render/scene/scene_problems.h"
 
@@ -126,26 +128,20 @@ bool shows_its_inside(const Shot& shot, const std::string& material) {
 
 /// What balls meet of a table that is drawn. What is drawn of it is not made of closed surfaces.
 std::vector<render::ObjectDescription> solids_of_table(const Shot& shot) {
-    std::vector<render::ObjectDescription> solids;
     if (!shot.world.table || !shot.draws_table) {
-        return solids;
+        return {};
     }
-    double radius = 0.028575;  // of a pool ball
-    for (const sim::Body& body : shot.world.bodies) {
-        if (const auto* sphere = std::get_if<sim::Sphere>(&body.shape)) {
+    // As the simulation does: of the first ball.
+    double radius = sim::Sphere{}.radius;
+    for (const sim::Body& body : shot.world.bodies | std::views::reverse) {
+        const auto* sphere = std::get_if<sim::Sphere>(&body.shape);
+        if (sphere != nullptr && body.material == "ball") {
             radius = sphere->radius;
         }
     }
-    for (const auto& surface : build_table(*shot.world.table, radius).surfaces) {
-        render::MeshShape mesh;
-        mesh.vertices = surface.vertices;
-        mesh.triangles = surface.triangles;
-        render::ObjectDescription object;
-        object.name = "table/" + surface.name;
-        object.shape = std::move(mesh);
-        solids.push_back(std::move(object));
-    }
-    return solids;
+    render::SceneDescription scene;
+    add_table(scene, *shot.world.table, build_table(*shot.world.table, radius).surfaces);
+    return scene.objects;
 }
 
 }  // namespace
