@@ -15,6 +15,7 @@
 
 namespace carom::render {
 
+class FarLight;   // render/light/far_light.h
 class FrameSums;  // render/frame/frame_sums.h
 
 /// Incremented whenever the renderer's pixels change for the same inputs.
@@ -35,11 +36,12 @@ struct FrameInput {
 /// What all frames of a shot share: meshes, textures, the structure over static shapes. Immutable;
 /// any number of threads may render from it. Construction reads files and throws Error with the
 /// file's name. `maker`: if given, it makes the acceleration structures; without it, a name in
-/// RenderSettings::acceleration that is not kOwnStructure is an Error.
+/// RenderSettings::acceleration that is not kOwnStructure is an Error. `far`: the light of far
+/// surfaces if the scene has a far region and it is known; else it is computed, which takes long.
 class PreparedScene {
   public:
     PreparedScene(const SceneDescription& scene, const RenderSettings& settings,
-                  StructureMaker maker = {});
+                  StructureMaker maker = {}, std::shared_ptr<const FarLight> far = nullptr);
     ~PreparedScene();
     PreparedScene(PreparedScene&&) noexcept;
     PreparedScene& operator=(PreparedScene&&) noexcept;

@@ -40,7 +40,8 @@ FrameSession::FrameSession(const PreparedScene& scene, std::span<const sim::Trac
       frame_scene_(checked(scene, frame, settings).geometry, tracks, frame.scene_open,
                    frame.scene_close, cut_outs_of(scene)),
       lights_(scene.data().lights.in_frame(frame_scene_.motions())),
-      transport_{frame_scene_, scene.data().materials, lights_, scene.data().object_count},
+      transport_{frame_scene_, scene.data().materials, lights_, scene.data().object_count,
+                 scene.data().far.get()},
       tiles_(settings, frame, transport_),
       is_planned_(!tiles_.is_adaptive()) {
     const auto count = static_cast<std::size_t>(tiles_.tile_count());

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "render/acceleration/instruction_set.h"
+#include "render/frame/bake_far_light.h"
 #include "render/frame_scene/flat_faces.h"
 #include "render/frame_scene/scene_object.h"
 #include "render/light/area_light.h"
@@ -125,14 +126,21 @@ void add_shining_objects(LightSet& lights, const SceneDescription& scene,
 }
 
 PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings,
-                               StructureMaker maker) {
+                               StructureMaker maker, std::shared_ptr<const FarLight> far) {
     limit_instructions();
+    if (!scene.far || settings.integrator != IntegratorKind::path) {
+        far = nullptr;
+    } else if (!far) {
+        far = bake_far_light(scene, {});
+    }
     std::optional<LightSet> lights;
     std::optional<StaticGeometry> geometry;
     std::vector<Material> materials;
     for_each_at_once(2, [&](std::size_t part) {
         if (part == 0) {
-            lights.emplace(scene.lights);  // first, as it rejects what the geometry cannot hold
+            lights.emplace(scene.lights,
+                           far ? far->directions()
+                               : nullptr);  // first, as it rejects what the geometry cannot hold
             geometry.emplace(scene, settings, std::move(maker));
         } else {
             materials = make_materials(scene);
@@ -142,7 +150,8 @@ PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettin
     auto* const data = new PreparedScene::Data{
         std::move(*geometry), std::move(materials),
         std::move(*lights),   static_cast<std::uint32_t>(scene.objects.size()),
-        ray_branches(scene),  names_of(scene)};
+        ray_branches(scene),  names_of(scene),
+        std::move(far)};
     if (std::ranges::any_of(data->materials, &Material::is_cut_out)) {
         data->cut_outs.emplace(data->materials);
     }
@@ -152,8 +161,8 @@ PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettin
 }  // namespace
 
 PreparedScene::PreparedScene(const SceneDescription& scene, const RenderSettings& settings,
-                             StructureMaker maker)
-    : data_(make_data(scene, settings, std::move(maker))) {}
+                             StructureMaker maker, std::shared_ptr<const FarLight> far)
+    : data_(make_data(scene, settings, std::move(maker), std::move(far))) {}
 
 PreparedScene::~PreparedScene() = default;
 PreparedScene::PreparedScene(PreparedScene&&) noexcept = default;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "render/frame/frame.h"
 #include "render/frame_scene/cut_outs.h"
 #include "render/frame_scene/static_geometry.h"
+#include "render/light/far_light.h"
 #include "render/light/light_set.h"
 #include "render/material/material.h"
 #include "render/scene/scene_problems.h"
@@ -38,7 +40,8 @@ struct PreparedScene::Data {
     std::uint32_t object_count = 0;  // of the scene, without lights
     RayBranches branches;
     SceneNames names;
-    std::optional<MaterialCutOuts> cut_outs{};  // if something is
+    std::shared_ptr<const FarLight> far{};      // if something is
+    std::optional<MaterialCutOuts> cut_outs{};  // likewise
 };
 
 }  // namespace carom::render

@@ -1,17 +1,13 @@
 #include "render/integrator/path_integrator.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 
 #include "core/assert.h"
 #include "core/colour.h"
 #include "render/geometry/validity.h"
-#include "render/integrator/branch_sums.h"
-#include "render/integrator/wave/hit_surfaces.h"
+#include "render/integrator/path_wave.h"
 #include "render/integrator/wave/scalar_kernels.h"
 
 namespace carom::render {
@@ -42,83 +38,6 @@ constexpr float kSurvivalInGlass = 0.95f;
 
 }  // namespace
 
-/// A camera sample of a wave.
-struct PathIntegrator::Sample {
-    PathDimensions dimensions;
-    SampleIndex index;
-    RadianceSample result{};
-};
-
-struct PathIntegrator::Wave final : Integrator::Workspace {
-    PathQueue of_even_vertices, of_odd_vertices;
-    PathQueue& paths() { return vertex % 2 == 0 ? of_even_vertices : of_odd_vertices; }
-    PathQueue& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
-    PathQueue scattered;  // to be appended to `next`
-    int vertex = 0;
-    SurfaceQueue vertices;
-    std::array<Floats, kTexturedNumbers> numbers;
-    ShadowQueue shadows;
-    CameraSamples samples;
-    IndexList near_spheres;
-    EscapedQueue missed;
-    HitSurfaces surfaces;
-    IndexList hit_paths;  // that become vertices
-    std::vector<Sample> from_camera;
-    BranchSums sums;
-    Floats3 mirrored;  // by path
-    QueueMemory memory;
-
-    explicit Wave(const PathIntegrator& integrator)
-        : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_,
-                   integrator.most_paths_),
-          sums(integrator.wave_samples_, integrator.wave_scene_.glossy_samples) {
-        const WaveScene& scene = integrator.wave_scene_;
-        memory.reserve(integrator.most_paths_, of_even_vertices, of_odd_vertices, scattered,
-                       vertices, near_spheres, missed, hit_paths, mirrored);
-        memory.reserve(integrator.wave_samples_, samples);
-        if (scene.materials.varies) {
-            for (Floats& number : numbers) {
-                memory.reserve(integrator.most_paths_, number);
-            }
-            vertices.numbers = numbers.data();
-        }
-        memory.reserve_shadows(integrator.most_paths_, scene.first_rays() + scene.further_rays(),
-                               scene.materials.transmits, shadows);
-    }
-
-    [[nodiscard]] Sample& sample_of(int path) {
-        return from_camera[static_cast<std::size_t>(paths().slot.at[path])];
-    }
-    /// Adds light that a path found.
-    void add(int path, const V3f& radiance, int scatterings) {
-        validate(path, radiance);
-        sums.add(paths().slot.at[path], vertex, static_cast<std::uint32_t>(paths().branch.at[path]),
-                 radiance, scatterings);
-    }
-    /// Adds the light of a lamp or the room that a path reached, reduced by its throughput.
-    void add_light(int path, const V3f& radiance) {
-        add(path, radiance, vertex);
-        if (is_imaged(vertex, static_cast<std::uint32_t>(paths().branch.at[path]),
-                      paths().is_delta.at[path] != 0)) {
-            sample_of(path).result.light += radiance;
-        }
-    }
-
-  private:
-    // With expensive checks on, an invalid radiance stops the program where it first appears.
-    void validate([[maybe_unused]] int path, [[maybe_unused]] const V3f& radiance) {
-#ifdef CAROM_VALIDATION
-        if (!is_light(radiance)) {
-            const SampleIndex& index = sample_of(path).index;
-            std::fprintf(stderr, "radiance (%g, %g, %g) in sample %d of pixel (%d, %d)\n",
-                         static_cast<double>(radiance.x), static_cast<double>(radiance.y),
-                         static_cast<double>(radiance.z), index.sample, index.x, index.y);
-            std::abort();
-        }
-#endif
-    }
-};
-
 WaveStep PathIntegrator::step_of(Wave& wave) const {
     return {wave_scene_, wave.samples, wave.paths(), wave.vertices, wave.shadows};
 }
@@ -129,6 +48,7 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
       settings_(settings),
       caustics_(scene_),
       varying_emitters_(scene_),
+      far_surfaces_(scene_),
       light_tracer_(light_tracer),
       kernels_(&best_wave_kernels()),
       wave_scene_(make_wave_scene(
@@ -141,7 +61,7 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
     for (const Material& material : scene.materials) {
         roughness_.push_back(std::sqrt(material.numbers().alpha));
     }
-    if (!scene.lights.environment().is_sampled()) {
+    if (!scene.lights.directions().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
     }
     // A first vertex continues in all directions of its coat and one of its base, each of which may
@@ -253,58 +173,46 @@ void PathIntegrator::process_hits(Wave& wave) const {
     wave.vertices.has_gloss = false;
     wave.missed.paths.count = 0;
     wave.hit_paths.count = 0;
-    const bool is_spent = wave.vertex > settings_.max_bounces;
+    wave.far_paths.count = 0;
     for (int i = 0; i < paths.count; ++i) {
         const Hit& hit = hits[i];
         if (hit.object == kNoObject) {
             wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
             add_hit_light(i, hit, wave);
-        } else if (const std::uint8_t traits = wave_scene_.traits[hit.object];
-                   traits == 0 ? !is_spent : becomes_vertex(i, hit, traits, wave)) {
-            wave.hit_paths.add(i);
+        } else {
+            sort_surface(i, hit, wave);
         }
     }
     add_misses(wave);
+    add_far_ends(wave);
     if (wave.vertex >= kRouletteVertex) {
         kernels_->russian_roulette(wave.samples, paths, wave.hit_paths);
     }
     wave.surfaces.find(paths, wave.hit_paths, wave.vertices);
     end_outside_glass(wave);
     if (wave.vertex == 0) {
-        note_first_surfaces(wave);
+        note_first_surfaces(wave.vertices, wave);
+        whiten(wave);
     } else if (wave.vertex == 1) {
         note_mirrored_surfaces(wave);
     }
+    add_far_vertices(wave);
 }
 
-void PathIntegrator::note_first_surfaces(Wave& wave) const {
-    for (int i = 0; i < wave.vertices.count; ++i) {
-        RadianceSample& result = wave.sample_of(wave.vertices.path.at[i]).result;
-        result.coverage = 1;
-        result.object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
-        result.normal = wave.vertices.normal.get(i);
-        result.albedo = wave.vertices.base.get(i);
-        result.roughness = wave.vertices.numbers != nullptr
-                               ? std::sqrt(wave.numbers[kRoughness].at[i])
-                               : roughness_[static_cast<std::size_t>(wave.vertices.material.at[i])];
-    }
-}
-
-// In the order of the paths, so that that of the groups does not matter.
-void PathIntegrator::note_mirrored_surfaces(Wave& wave) {
+void PathIntegrator::sort_surface(int path, const Hit& hit, Wave& wave) const {
+    const std::uint8_t traits = wave_scene_.traits[hit.object];
+    const bool is_spent = wave.vertex > settings_.max_bounces;
+    const bool is_vertex = traits == 0 ? !is_spent : becomes_vertex(path, hit, traits, wave);
     const PathQueue& paths = wave.paths();
-    for (Floats* channel : {&wave.mirrored.x, &wave.mirrored.y, &wave.mirrored.z}) {
-        std::fill_n(channel->at, paths.count, 0.0F);
-    }
-    for (int i = 0; i < wave.vertices.count; ++i) {
-        const int path = wave.vertices.path.at[i];
-        wave.mirrored.set(path, paths.throughput.get(path) * wave.vertices.base.get(i));
-    }
-    for (int path = 0; path < paths.count; ++path) {
-        if (is_seen_in_coat(1, static_cast<std::uint32_t>(paths.branch.at[path]))) {
-            wave.sample_of(path).result.mirrored += wave.mirrored.get(path);
-        }
+    const bool ends_far =
+        far_surfaces_.exist() &&
+        far_surfaces_.is_far(paths.origin.get(path), paths.direction.get(path), hit) &&
+        !(is_vertex && is_seen_gloss(path, hit, wave));
+    if (ends_far) {
+        wave.far_paths.add(path);
+    } else if (is_vertex) {
+        wave.hit_paths.add(path);
     }
 }
 
@@ -316,8 +224,11 @@ void PathIntegrator::add_misses(Wave& wave) const {
     }
     for (int k = 0; k < missed.count; ++k) {
         const int path = missed.at.at[k];
-        const V3f light = wave_scene_.has_sky ? wave.missed.light.get(k)
-                                              : paths.throughput.get(path) * constant_sky_;
+        V3f light = wave_scene_.has_sky ? wave.missed.light.get(k)
+                                        : paths.throughput.get(path) * constant_sky_;
+        if (far_surfaces_.exist()) {
+            light *= scene_.lights.environment().radiance(paths.direction.get(path));
+        }
         wave.add_light(path, light);
     }
 }
@@ -325,7 +236,7 @@ void PathIntegrator::add_misses(Wave& wave) const {
 // Otherwise the path has ended.
 bool PathIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
                                     Wave& wave) const {
-    if ((traits & kEmits) != 0) {
+    if ((traits & kEmits) != 0 && !(settings_.white && wave.vertex == 0)) {
         add_emission(path, hit, wave);
     }
     if (wave.vertex == 0 && (traits & kHasGloss) != 0) {
@@ -434,8 +345,14 @@ void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
         return;
     }
     count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
+    if (wave.lookout) {
+        wave.lookout->take(shadows);
+    }
     render::trace_shadows(scene_.frame.structure(), shadows);
     varying_emitters_.correct(shadows);
+    if (wave.lookout) {
+        wave.lookout->put_back(shadows);
+    }
     kernels_->sum_light(shadows);
     CAROM_VALIDATE(is_valid(shadows));
     for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {

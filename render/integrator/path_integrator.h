@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/integrator/caustics.h"
+#include "render/integrator/far_surfaces.h"
 #include "render/integrator/integrator.h"
 #include "render/integrator/light_tracer.h"
 #include "render/integrator/path_settings.h"
@@ -49,11 +50,17 @@ class PathIntegrator final : public Integrator {
     [[nodiscard]] WaveStep step_of(Wave& wave) const;
     void shade_surfaces(Wave& wave, RenderStatistics& count) const;
     void process_hits(Wave& wave) const;
-    void note_first_surfaces(Wave& wave) const;
+    void note_first_surfaces(const SurfaceQueue& vertices, Wave& wave) const;
     static void note_mirrored_surfaces(Wave& wave);
+    [[nodiscard]] bool is_seen_gloss(int path, const Hit& hit, Wave& wave) const;
+    [[nodiscard]] float weight_of_direction(int path, const PathQueue& paths) const;
+    void add_far_ends(Wave& wave) const;
+    void add_far_vertices(Wave& wave) const;
+    void whiten(Wave& wave) const;
     void add_misses(Wave& wave) const;
     [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
                                       Wave& wave) const;
+    void sort_surface(int path, const Hit& hit, Wave& wave) const;
     void end_outside_glass(Wave& wave) const;
     void add_hit_light(int path, const Hit& hit, Wave& wave) const;
     void add_emission(int path, const Hit& hit, Wave& wave) const;
@@ -68,6 +75,7 @@ class PathIntegrator final : public Integrator {
     PathSettings settings_;
     Caustics caustics_;
     VaryingEmitters varying_emitters_;
+    FarSurfaces far_surfaces_;
     std::vector<float> roughness_;  // by material, of those that do not vary
     const LightTracer* light_tracer_;
     const WaveKernels* kernels_;

@@ -11,6 +11,8 @@
 
 namespace carom::render {
 
+class FarLight;  // render/light/far_light.h
+
 /// Objects from `first_light_object` on are the area lights of `lights`, in their order;
 /// SurfacePoint::material indexes `materials`. Everything outlives the integrator.
 struct TransportScene {
@@ -18,6 +20,7 @@ struct TransportScene {
     const std::vector<Material>& materials;
     const LightSet& lights;
     std::uint32_t first_light_object = 0;
+    const FarLight* far = nullptr;  // of far surfaces; none: all light is computed
 
     [[nodiscard]] bool is_light(const Hit& hit) const { return hit.object >= first_light_object; }
     [[nodiscard]] std::size_t light_of(const Hit& hit) const {

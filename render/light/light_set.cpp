@@ -12,7 +12,8 @@ namespace carom::render {
 
 using scalar::One;
 
-LightSet::LightSet(const std::vector<LightDescription>& lights) {
+LightSet::LightSet(const std::vector<LightDescription>& lights,
+                   std::shared_ptr<const Environment> directions) {
     if (const std::vector<Diagnostic> problems = find_problems(lights); !problems.empty()) {
         throw Error(problems.front().sentence);
     }
@@ -27,7 +28,8 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
         }
     }
     area_light_count_ = lights_.size();
-    if (environment_->is_sampled()) {
+    directions_ = directions ? std::move(directions) : environment_;
+    if (directions_->is_sampled()) {
         lights_.emplace_back(SampledEnvironment());
     }
     lights_.insert(lights_.end(), delta_lights.begin(), delta_lights.end());

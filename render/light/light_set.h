@@ -37,7 +37,10 @@ class LightSet {
 
     /// Throws Error with the first problem of the lights (scene_problems.h), or with the name of a
     /// picture that cannot be read.
-    explicit LightSet(const std::vector<LightDescription>& lights);
+    /// `directions`: if given, paths look for the environment, and for far surfaces, in its
+    /// directions.
+    explicit LightSet(const std::vector<LightDescription>& lights,
+                      std::shared_ptr<const Environment> directions = nullptr);
 
     /// Adds an object with an emissive material to the sampled lights, unless it is dark. Must be
     /// called before the set is shared.
@@ -70,6 +73,8 @@ class LightSet {
         return std::get<DeltaLight>(lights_[light]);
     }
     [[nodiscard]] const Environment& environment() const { return *environment_; }
+    /// By whose brightness directions are sampled; mostly that of the environment itself.
+    [[nodiscard]] const Environment& directions() const { return *directions_; }
 
     /// Radiance of an area light towards the unit `direction`, away from the light, as cameras and
     /// specular reflections see it.
@@ -79,6 +84,7 @@ class LightSet {
     std::vector<Light> lights_;
     std::size_t area_light_count_ = 0, first_emissive_ = 0;
     std::shared_ptr<const Environment> environment_ = std::make_shared<const Environment>();
+    std::shared_ptr<const Environment> directions_ = environment_;
     std::vector<std::optional<std::size_t>> light_of_object_;
     struct Tracked {
         std::uint32_t object = 0;

@@ -42,6 +42,11 @@ class SharedExponent {
                 static_cast<std::uint32_t>(exponent) << 27;
     }
 
+    [[nodiscard]] static SharedExponent of_bits(std::uint32_t bits) {
+        SharedExponent colour;
+        colour.bits_ = bits;
+        return colour;
+    }
     [[nodiscard]] V3f value() const { return scalar::shared_exponent_value<scalar::One>(bits_); }
     [[nodiscard]] std::uint32_t bits() const { return bits_; }
 

@@ -183,10 +183,29 @@ constexpr auto fields_of(Describes<ObjectDescription>) {
         hashed_elsewhere("material", &T::material, "hash_scene adds the material of that name"));
 }
 
+/// The surroundings of a table whose light is computed once (render/light/far_light.h): the static
+/// surfaces farther than `distance` from a box.
+struct FarRegion {
+    Vec3 low{-1, -1, -1}, high{1, 1, 1};  // the box, m
+    double distance = 1.5;                // m
+    double cell = 0.03;                   // m, > 0: least side of a cell that has one light
+    double cell_growth = 1.0 / 60;        // ... and at least this fraction of its distance, >= 0
+    int samples = 128;                    // paths of each cell, >= 1
+    std::string file;  // absolute path of the light, which counts if it is this scene's; or empty
+};
+constexpr auto fields_of(Describes<FarRegion>) {
+    using T = FarRegion;
+    return fields<T>(field("low", &T::low), field("high", &T::high),
+                     field("distance", &T::distance), field("cell", &T::cell),
+                     field("cell_growth", &T::cell_growth), field("samples", &T::samples),
+                     unhashed("file", &T::file, "it has the light that would be computed"));
+}
+
 struct SceneDescription {
     std::vector<ObjectDescription> objects;
     std::vector<MaterialDescription> materials;
     std::vector<LightDescription> lights;  // at most one environment
+    std::optional<FarRegion> far{};
 };
 
 }  // namespace carom::render

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <optional>
 
+#include "render/light/far_light.h"
+
 namespace carom::render {
 namespace {
 
@@ -28,7 +30,7 @@ struct KnownLight {
         known.samples = lights.area_light_count() <= kFewLights && !light.is_round ? 4 : 1;
     }
     void operator()(const SampledEnvironment& /*light*/) const {
-        const bool has_light = lights.environment().picture().distribution.density.exists();
+        const bool has_light = lights.directions().picture().distribution.density.exists();
         known.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::dark_environment;
     }
     void operator()(const DeltaLight& light) const {
@@ -51,9 +53,9 @@ struct KnownLight {
     }
 };
 
-/// Puts lights into the scene's tree: all lamps that can be, if they are more than a few, and all
-/// emissive objects, likewise.
-LightTree make_tree(const LightSet& lights, std::vector<WaveLight>& made) {
+/// Puts lights into the scene's tree: all lamps that can be, if they are more than a few or far,
+/// and all emissive objects, likewise.
+LightTree make_tree(const LightSet& lights, const FarLight* far, std::vector<WaveLight>& made) {
     constexpr std::size_t kFewLights = 8;
     std::vector<LightBounds> in_tree(made.size());
     const auto put = [&](std::size_t first, std::size_t last) {
@@ -65,7 +67,9 @@ LightTree make_tree(const LightSet& lights, std::vector<WaveLight>& made) {
             }
         }
         for (const std::size_t light : numbers) {
-            made[light].is_in_tree = numbers.size() > kFewLights && in_tree[light].strength > 0;
+            const bool is_far = far != nullptr && far->grid().is_far(in_tree[light].box.center());
+            made[light].is_in_tree =
+                (is_far || numbers.size() > kFewLights) && in_tree[light].strength > 0;
             in_tree[light].strength = made[light].is_in_tree ? in_tree[light].strength : 0;
         }
     };
@@ -122,17 +126,18 @@ WaveScene& make_in(const TransportScene& scene, const WaveSetUp& set_up, SceneAr
         std::visit(KnownLight{scene.lights, made}, light);
         known.has_environment = known.has_environment || made.is_environment();
     }
-    const LightTree tree = make_tree(scene.lights, lights);
+    const LightTree tree = make_tree(scene.lights, scene.far, lights);
     known.light_tree = tree.data();
     known.light_tree.each_list(
         [&](auto&... list) { ((list = arena.add(std::vector(list.begin(), list.end()))), ...); });
     known.all_lights = arena.add(lights);
     known.lights = known.all_lights;
-    const Environment& environment = scene.lights.environment();
+    const Environment& environment = scene.lights.directions();
     known.environment_importance = environment.importance();
     if (environment.is_sampled() && environment.picture().distribution.density.exists()) {
         known.has_sky = true;
         known.sky = environment.picture();
+        known.sky_distance = scene.far != nullptr ? kFarDistance : kInfinity;
         arena.take(known.sky);
     }
     add_objects(scene, known, arena);

@@ -126,6 +126,10 @@ enum ShapeRow : std::uint8_t {
     kShapeRows = 43
 };
 
+/// WaveScene::sky_distance if rays in directions of the sky may end on far surfaces.
+inline constexpr float kFarDistance = 0x1p100F;
+inline constexpr float kLeastFarDistance = 0x1p99F;
+
 /// What the kernels need to know about a scene.
 struct WaveScene {
     List<WaveLight> all_lights;  // by the light's number in LightSet
@@ -134,7 +138,8 @@ struct WaveScene {
     float environment_importance = 0;
     bool has_environment = false;  // among the lights
     bool has_sky = false;
-    EnvironmentPicture sky;  // of a sampled environment
+    EnvironmentPicture sky;          // of a sampled environment
+    float sky_distance = kInfinity;  // of the ends of shadow rays to it, m
 
     List<SphereBounds> spheres;
     List<std::int32_t> sphere_of_object;  // or -1

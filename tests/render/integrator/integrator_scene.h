@@ -81,8 +81,8 @@ inline Estimate picture_luminance(const render::SceneDescription& scene,
     const render::FrameScene frame(data.geometry, motion.tracks, 0, motion.shutter,
                                    data.cut_outs ? &*data.cut_outs : nullptr);
     const render::LightSet lights = data.lights.in_frame(frame.motions());
-    const render::PathIntegrator integrator({frame, data.materials, lights, data.object_count},
-                                            path);
+    const render::PathIntegrator integrator(
+        {frame, data.materials, lights, data.object_count, data.far.get()}, path);
     const render::ThinLensCamera lens(camera, camera, 16, 16, 0, render::PixelFilter::box, 1);
     std::vector<double> means;
     const auto workspace = integrator.make_workspace();

@@ -41,10 +41,10 @@ CAROM_KERNEL ValueOf<L> importance_of(const WaveScene& scene, const WaveLight& l
 }
 
 template <class L>
-CAROM_KERNEL LightSampleOf<L> sample_sky(const EnvironmentPicture& sky, const Vec2Of<L>& u) {
-    const EnvironmentSampleOf<L> found = sample_environment_map<L>(sky, u);
-    return {found.direction, L::all(kInfinity), found.pdf, environment_radiance<L>(sky, found.uv),
-            found.valid};
+CAROM_KERNEL LightSampleOf<L> sample_sky(const WaveScene& scene, const Vec2Of<L>& u) {
+    const EnvironmentSampleOf<L> found = sample_environment_map<L>(scene.sky, u);
+    return {found.direction, L::all(scene.sky_distance), found.pdf,
+            environment_radiance<L>(scene.sky, found.uv), found.valid};
 }
 
 /// The tree of a light, or of all that are in the scene's, seen from places; empty if there is
@@ -86,7 +86,7 @@ CAROM_KERNEL LightSampleOf<L> sample_light(const WaveScene& scene, const WaveLig
         case WaveLight::Kind::area:
             return sample_area_light<L>(light.area, place.position, u);
         case WaveLight::Kind::environment:
-            return sample_sky<L>(scene.sky, u);
+            return sample_sky<L>(scene, u);
         case WaveLight::Kind::delta:
             return sample_delta_light<L>(light.delta, place.position);
         case WaveLight::Kind::curved_object:

@@ -126,7 +126,7 @@ CAROM_KERNEL int sample_environment(const WaveStep& step, const VertexOf<L>& v, 
                      L::select(v.shows_gloss, shifted.y, u.y)};
         }
         const auto now = j == 0 ? wanted : v.shows_gloss;
-        add_shadow_rays<L>(step, v, sample_sky<L>(step.scene.sky, point), expected, now, k);
+        add_shadow_rays<L>(step, v, sample_sky<L>(step.scene, point), expected, now, k);
     }
     return k;
 }

@@ -1,0 +1,296 @@
+#include "render/frame/bake_far_light.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <span>
+#include <utility>
+
+#include "core/colour.h"
+#include "core/error.h"
+#include "render/acceleration/flush_denormals.h"
+#include "render/frame/far_cells.h"
+#include "render/frame/frame.h"
+#include "render/frame/prepared_scene.h"
+#include "render/integrator/path_integrator.h"
+#include "render/integrator/workspace_pool.h"
+#include "render/light/scalar_kernels.h"
+#include "render/threads/thread_arena.h"
+
+namespace carom::render {
+namespace {
+
+constexpr int kMaxBounces = 8;
+constexpr std::uint64_t kSeed = 0x63617234;
+constexpr float kAboveSurface = 5e-4F;  // m, where the rays to points begin
+constexpr std::size_t kCellsAtOnce = 64;
+/// Where cells are looked for first, above the middle of the region's box.
+constexpr float kAboveBox = 0.3F;  // m
+
+/// Without what moves, all of it near, and with a white material, the last one.
+SceneDescription still_scene(const SceneDescription& scene) {
+    SceneDescription still = scene;
+    std::erase_if(still.objects,
+                  [](const ObjectDescription& object) { return !object.track.empty(); });
+    still.far.reset();
+    MaterialDescription white;
+    white.name = "white of the far light";
+    white.surface.base = Vec3(1, 1, 1);
+    still.materials.push_back(std::move(white));
+    return still;
+}
+
+/// The scene at one time.
+class StillScene {
+  public:
+    explicit StillScene(const SceneDescription& scene)
+        : prepared_(scene, {}),
+          frame_(prepared_.data().geometry, {}, 0, 0,
+                 prepared_.data().cut_outs ? &*prepared_.data().cut_outs : nullptr),
+          lights_(prepared_.data().lights.in_frame(frame_.motions())),
+          transport_{frame_, prepared_.data().materials, lights_, prepared_.data().object_count} {}
+
+    [[nodiscard]] const TransportScene& transport() const { return transport_; }
+    [[nodiscard]] std::uint32_t white() const {
+        return static_cast<std::uint32_t>(transport_.materials.size() - 1);
+    }
+
+  private:
+    PreparedScene prepared_;
+    FrameScene frame_;
+    LightSet lights_;
+    TransportScene transport_;
+};
+
+/// Traces the paths of cells.
+class CellBaker {
+  public:
+    CellBaker(const StillScene& scene, int samples)
+        : samples_(samples),
+          integrator_(scene.transport(), settings(scene)),
+          workspaces_(integrator_) {}
+
+    /// Of some cells.
+    void bake(std::span<const FarPoints> cells, std::span<V3f> irradiances) {
+        const FlushDenormals flush;
+        const WorkspacePool::Loan workspace(workspaces_);
+        for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+            irradiances[cell] = irradiance(cells[cell], workspace.get());
+        }
+    }
+
+  private:
+    static PathSettings settings(const StillScene& scene) {
+        PathSettings settings;
+        settings.max_bounces = kMaxBounces;
+        settings.split_vertices = 0;
+        settings.glossy_samples = 1;
+        settings.caustics = false;
+        settings.white = scene.white();
+        return settings;
+    }
+
+    [[nodiscard]] V3f irradiance(const FarPoints& cell, Integrator::Workspace* workspace) const {
+        V3f sum(0);
+        std::vector<RadianceSample> results(CameraBatch::kUsual);
+        for (int first = 0; first < samples_; first += CameraBatch::kUsual) {
+            CameraBatch batch;
+            const int last = std::min(first + CameraBatch::kUsual, samples_);
+            for (int sample = first; sample < last; ++sample) {
+                add(cell, sample, batch);
+            }
+            RenderStatistics count;
+            integrator_.samples(CameraRun::all(batch), 0, results.data(), workspace, count);
+            for (int i = 0; i < batch.count; ++i) {
+                sum += results[static_cast<std::size_t>(i)].radiance;
+            }
+        }
+        return sum * (kPi / static_cast<float>(samples_));
+    }
+
+    static void add(const FarPoints& cell, int sample, CameraBatch& batch) {
+        const FarPoint& point = cell.points[sample % cell.count];
+        const auto low = static_cast<std::uint32_t>(cell.key);
+        const auto high = static_cast<std::uint32_t>(cell.key >> 32);
+        const auto index = static_cast<std::uint32_t>(sample);
+        batch.add(SampleStream(kSeed, low, high, index), {0, 0, sample});
+        const int at = batch.count - 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<int>(axis);
+            batch.origin[axis][at] = point.position[i] + kAboveSurface * point.normal[i];
+            batch.direction[axis][at] = -point.normal[i];
+        }
+        batch.time[at] = 0;
+    }
+
+    int samples_;
+    PathIntegrator integrator_;
+    WorkspacePool workspaces_;
+};
+
+/// The irradiance of each cell.
+std::vector<V3f> bake_cells(const StillScene& scene, const std::vector<FarPoints>& cells,
+                            int samples, const WorkContext& context) {
+    std::vector<V3f> irradiances(cells.size());
+    CellBaker baker(scene, samples);
+    std::mutex mutex;
+    std::size_t done = 0;
+    parallel_for((cells.size() + kCellsAtOnce - 1) / kCellsAtOnce, [&](std::size_t block) {
+        if (context.stop.stop_requested()) {
+            return;
+        }
+        const std::size_t first = block * kCellsAtOnce;
+        const std::size_t count = std::min(kCellsAtOnce, cells.size() - first);
+        baker.bake(std::span(cells).subspan(first, count),
+                   std::span(irradiances).subspan(first, count));
+        if (context.progress) {
+            const std::lock_guard lock(mutex);
+            done += count;
+            context.progress(static_cast<double>(done) / static_cast<double>(cells.size()));
+        }
+    });
+    if (context.stop.stop_requested()) {
+        throw Stopped();
+    }
+    return irradiances;
+}
+
+/// Takes noise away: the mean of a cell and those around it in its face, less of those whose light
+/// differs more than noise does.
+std::vector<FarLight::Cell> smoothed(const std::vector<FarPoints>& cells,
+                                     const std::vector<V3f>& irradiances) {
+    constexpr float kWidth = 0.12F;  // of a difference, over the sum
+    const auto brightness = [](const V3f& light) { return luminance(light) + 1e-6F; };
+    std::vector<FarLight::Cell> result;
+    result.reserve(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const float own = brightness(irradiances[i]);
+        V3f sum(0);
+        float weights = 0;
+        for (int k = 0; k < 27; ++k) {
+            const int step[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+            const std::uint64_t key = FarGrid::neighbour(cells[i].key, step[0], step[1], step[2]);
+            const auto found = std::ranges::lower_bound(cells, key, {}, &FarPoints::key);
+            if (found == cells.end() || found->key != key) {
+                continue;
+            }
+            const V3f& light = irradiances[static_cast<std::size_t>(found - cells.begin())];
+            const float other = brightness(light);
+            const float difference = (other - own) / (kWidth * (other + own));
+            const int away = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
+            const float weight =
+                1 / (static_cast<float>(1 << away) * (1 + difference * difference));
+            sum += weight * light;
+            weights += weight;
+        }
+        result.push_back({cells[i].key, SharedExponent(sum / weights)});
+    }
+    return result;
+}
+
+/// Where the table is looked from, for `brightness_around`.
+std::vector<V3f> places_above(const FarRegion& region) {
+    constexpr float kPlaces[] = {0.15F, 0.5F, 0.85F};
+    std::vector<V3f> places;
+    for (const float x : kPlaces) {
+        for (const float y : kPlaces) {
+            const V3f low(region.low), high(region.high);
+            places.emplace_back(low.x + x * (high.x - low.x), low.y + y * (high.y - low.y),
+                                high.z + kAboveBox / 2);
+        }
+    }
+    return places;
+}
+
+/// The brightness of what is far by direction, the mean of that seen from a few places.
+std::vector<float> brightness_around(const TransportScene& scene, const FarRegion& region) {
+    constexpr int kColumns = FarLight::kColumns;
+    constexpr int kRows = kColumns / 2;
+    constexpr int kMost = 512;
+    SceneArena arena;
+    const WaveScene& wave_scene = make_wave_scene(
+        scene, [](WaveScene&, SceneArena&) {}, arena);
+    const FarSurfaces surfaces(scene);
+    const std::vector<V3f> places = places_above(region);
+    std::vector<float> brightness(std::size_t{kColumns} * kRows);
+    parallel_for(kRows, [&](std::size_t row) {
+        FarLookout lookout(scene, wave_scene, best_wave_kernels(), surfaces, kMost);
+        QueueMemory memory;
+        ShadowQueue rays;
+        memory.reserve_shadows(kColumns, 1, false, rays);
+        for (const V3f& place : places) {
+            begin_shadows(0, kColumns, 1, rays);
+            const float polar = kPi * (static_cast<float>(row) + 0.5F) / kRows;
+            const auto height = scalar::sin_cos<scalar::One>(polar);
+            for (int column = 0; column < kColumns; ++column) {
+                const float u = (static_cast<float>(column) + 0.5F) / kColumns;
+                const auto turn = scalar::sin_cos<scalar::One>(kTurn * (1.5F - u));
+                rays.origin.set(column, place);
+                rays.time.at[column] = 0;
+                rays.direction.set(
+                    column, V3f(height.sine * turn.cosine, height.sine * turn.sine, height.cosine)
+                                .normalized());
+                rays.t_max.at[column] = kFarDistance;
+                rays.radiance.set(column, V3f(1));
+            }
+            lookout.take(rays);
+            lookout.put_back(rays);
+            for (int column = 0; column < kColumns; ++column) {
+                if (rays.t_max.at[column] > 0) {
+                    brightness[row * kColumns + static_cast<std::size_t>(column)] +=
+                        luminance(rays.radiance.get(column)) / static_cast<float>(places.size());
+                }
+            }
+        }
+    });
+    return brightness;
+}
+
+/// Blurred, because other places of the table see it elsewhere, and nowhere 0.
+std::vector<float> softened(const std::vector<float>& brightness) {
+    constexpr int kColumns = FarLight::kColumns;
+    constexpr int kRows = kColumns / 2;
+    constexpr float kFloor = 0.2F;  // of the mean
+    float mean = 0;
+    std::vector<float> result;
+    for (int row = 0; row < kRows; ++row) {
+        for (int column = 0; column < kColumns; ++column) {
+            float sum = 0;
+            for (int k = 0; k < 9; ++k) {
+                const int y = std::clamp(row + k / 3 - 1, 0, kRows - 1);
+                const int x = (column + k % 3 - 1 + kColumns) % kColumns;
+                sum += brightness[static_cast<std::size_t>(y * kColumns + x)];
+            }
+            result.push_back(sum / 9);
+            mean += sum / (9.0F * kColumns * kRows);
+        }
+    }
+    for (float& value : result) {
+        value = mean > 0 ? (1 - kFloor) * value + kFloor * mean : 1;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::shared_ptr<const FarLight> bake_far_light(const SceneDescription& scene,
+                                               const WorkContext& context) {
+    const FarRegion& region = *scene.far;
+    const StillScene still(still_scene(scene));
+    const TransportScene& transport = still.transport();
+    const V3f low(region.low), high(region.high);
+    const V3f start((low.x + high.x) / 2, (low.y + high.y) / 2, high.z + kAboveBox);
+    const std::vector<FarPoints> cells =
+        find_far_cells(transport, FarGrid(region), start, far_numbers(transport), context);
+    std::vector<FarLight::Cell> baked =
+        smoothed(cells, bake_cells(still, cells, region.samples, context));
+    const std::vector<float> even(std::size_t{FarLight::kColumns} * FarLight::kColumns / 2, 1.0F);
+    const FarLight light(region, baked, even);
+    TransportScene with_light = transport;
+    with_light.far = &light;
+    return std::make_shared<const FarLight>(region, std::move(baked),
+                                            softened(brightness_around(with_light, region)));
+}
+
+}  // namespace carom::render
