@@ -128,6 +128,8 @@ FileChecker::Finding FileChecker::examine(const NamedFile& file, bool is_whole,
                     options.try_music(file.path);
                 }
                 break;
+            case FileKind::light:
+                break;  // is computed if it cannot be used
         }
     } catch (const Error& failure) {
         finding.problems.emplace_back(failure.what());

@@ -84,6 +84,8 @@ const char* name_of(CacheEntry::Kind kind) {
             return "noisy frame";
         case CacheEntry::Kind::answer:
             return "answer";
+        case CacheEntry::Kind::light:
+            return "light of a room";
         case CacheEntry::Kind::bake:
             break;
     }
@@ -144,6 +146,10 @@ void list(const CacheCommand& command) {
         }
         if (total_of(entries, CacheEntry::Kind::answer).count > 0) {
             text += total_text(entries, CacheEntry::Kind::answer, "answer");
+        }
+        if (const Total total = total_of(entries, CacheEntry::Kind::light); total.count > 0) {
+            text += "lights of rooms: " + std::to_string(total.count) + ", " +
+                    pipeline::size_text(total.bytes) + "\n";
         }
         text += reservations_text(reservations);
     }

@@ -95,7 +95,8 @@ std::vector<Candidate> values_of(const Option& option, const std::string& typed,
         case Offer::cameras:
             return candidates_of(config::camera_names(shot_tree(position)));
         case Offer::presets:
-            return candidates_of(config::preset_names(config::standard_config_folders()));
+            return candidates_of(
+                config::preset_names("quality", config::standard_config_folders()));
         case Offer::measures: {
             std::vector<Candidate> candidates;
             for (const pipeline::measures::MeasureInfo& info : pipeline::measures::measure_list()) {

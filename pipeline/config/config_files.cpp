@@ -234,12 +234,12 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
                 (is_missing ? file_hint(fs::path(name), folder, folders) : Message())};
 }
 
-std::vector<std::string> preset_names(const ConfigFolders& folders) {
+std::vector<std::string> preset_names(const std::string& kind, const ConfigFolders& folders) {
     std::vector<std::string> names;
     for (const std::string& folder : folders.folders) {
         std::error_code code;
         for (const fs::directory_entry& entry :
-             fs::directory_iterator(fs::path(folder) / "quality", code)) {
+             fs::directory_iterator(fs::path(folder) / kind, code)) {
             if (entry.path().extension() == ".yaml") {
                 names.push_back(entry.path().stem().string());
             }

@@ -56,8 +56,9 @@ struct FoundFile {
 [[nodiscard]] bool read_config_text(const std::string& path, std::size_t max_bytes,
                                     const ConfigFolders& folders, std::string& text);
 
-/// The names of the quality presets.
-[[nodiscard]] std::vector<std::string> preset_names(const ConfigFolders& folders);
+/// The names of the files in a folder of the config folders: "quality", "sets".
+[[nodiscard]] std::vector<std::string> preset_names(const std::string& kind,
+                                                    const ConfigFolders& folders);
 
 /// Reads the whole text of a regular file of at most `max_bytes`. If it returns false, `text` is
 /// the problem.

@@ -55,6 +55,8 @@ class Gatherer {
     std::optional<Node> read_file(const std::string& path, std::string shown_name,
                                   const Place& named_at, std::vector<OpenFile>& open_files);
     Node merge_includes(const Node& own, std::vector<OpenFile>& open_files);
+    void merge_set(Node& own, Node& base, std::vector<OpenFile>& open_files);
+    std::optional<Node> read_set(const Node& name, std::vector<OpenFile>& open_files);
     void merge_rigs(Node& own, std::vector<OpenFile>& open_files);
     std::optional<Node> read_rig(const Node& name, std::vector<OpenFile>& open_files);
     bool check_version(const Node& root);
@@ -142,6 +144,7 @@ std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& open_files
         return std::nullopt;
     }
     Node base = merge_includes(*own, open_files);
+    merge_set(*own, base, open_files);
     take_entry(*own, "include");
     merge_rigs(*own, open_files);
     take_entry(base, "carom");  // required in the shot itself
@@ -187,6 +190,56 @@ Node Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& open_files
         }
     }
     return base;
+}
+
+/// Merges the file that a set names over `base`. Of the key remains what is not the file.
+void Gatherer::merge_set(Node& own, Node& base, std::vector<OpenFile>& open_files) {
+    Entry* set = own.find("set");
+    if (set == nullptr || set->value.is_null()) {
+        return;
+    }
+    Node name;
+    if (set->value.is_map()) {
+        name = take_entry(set->value, "file");
+    } else {
+        std::swap(name, set->value);
+        set->value.kind = Node::Kind::map;
+        set->value.place = name.place;
+    }
+    if (name.is_null()) {
+        return;
+    }
+    if (std::optional<Node> found = read_set(name, open_files)) {
+        take_entry(*found, "carom");
+        merge_layer(base, std::move(*found));
+    } else {
+        is_complete_ = false;
+    }
+}
+
+/// The file of a set by its name: a path, or a name in the folder `sets` of the configs.
+std::optional<Node> Gatherer::read_set(const Node& name, std::vector<OpenFile>& open_files) {
+    if (!name.is_scalar()) {
+        problems_.error(name.place, "a set must be a name, the name of a file, or a map");
+        return std::nullopt;
+    }
+    if (name.text.ends_with(".yaml")) {
+        return read_included(name, open_files);
+    }
+    const std::string& folder = sources_.at(name.place.source).folder;
+    const bool is_name = !name.text.empty() && name.text.find('/') == std::string::npos;
+    const FoundFile found =
+        is_name ? find_config_file("sets/" + name.text + ".yaml", folder, folders_) : FoundFile{};
+    if (found.path.empty()) {
+        const std::vector<std::string> known = preset_names("sets", folders_);
+        problems_.error(name.place,
+                        "there is no set " + quote(name.text) +
+                            (known.empty() ? std::string()
+                                           : " (the sets are " + enumerate(known, "and") + ")") +
+                            "; the name of a file ends in .yaml");
+        return std::nullopt;
+    }
+    return read_file(found.path, found.path, name.place, open_files);
 }
 
 /// Merges each camera that includes a file over the camera of that file.
@@ -285,7 +338,7 @@ std::optional<Node> Gatherer::read_file(const std::string& path, std::string sho
 
 std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& place,
                                           std::vector<OpenFile>& open_files) {
-    const std::vector<std::string> known = preset_names(folders_);
+    const std::vector<std::string> known = preset_names("quality", folders_);
     const std::string& folder = sources_.at(place.source).folder;
     const bool is_name = !name.empty() && name.find('/') == std::string::npos;
     const FoundFile found =

@@ -29,6 +29,9 @@ cameras:
   pairs:
     - {between: [ball, floor], friction: 0.35, restitution: 0.1}
 )"},
+        {"set", R"(table: {kind: pool}
+set: {file: club, near: 2 m}
+)"},
         {"stick", R"(physics:
   shaft: low_deflection
   stick: {mass: 19 oz}

@@ -163,6 +163,14 @@ struct ShutterSection {
     double switch_ratio = Shutter{}.switch_ratio;
 };
 
+/// The room around the table.
+struct SetSection {
+    double near = render::FarRegion{}.distance;
+    double cell = render::FarRegion{}.cell;
+    int samples = render::FarRegion{}.samples;
+    std::string light;  // absolute path of a file, or empty
+};
+
 struct RenderSection {
     render::RenderSettings settings;
     std::optional<int> short_side;  // pixels that the size is scaled to
@@ -174,6 +182,7 @@ struct ShotFile {
     sim::WorldDescription world;  // from `simulation` and `physics`
     BallSetSection ball_set;
     std::optional<TableSection> table;
+    std::optional<SetSection> set;
     std::optional<RackSection> rack;
     std::vector<Named<BallSection>> balls;
     std::vector<Named<ObjectSection>> objects;

@@ -8,6 +8,7 @@
 #include "core/cpu_time.h"
 #include "core/error.h"
 #include "pipeline/job/cpu_limit.h"
+#include "pipeline/job/far_light.h"
 #include "pipeline/job/film_probe.h"
 #include "pipeline/job/film_sound.h"
 #include "pipeline/job/forecast_sizes.h"
@@ -126,10 +127,12 @@ FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
     const double seconds = kForBlocks * settings.cpu_limit;
     CpuLimit limit(seconds, stop);
     render::ThreadArena arena(options.threads);
+    const FrameStore store = open_store(options);
     arena.execute([&] {
         const render::PreparedScene scene(
             shot.scene, shot.render,
-            render::structure_maker(options.structures, shot.render.acceleration));
+            render::structure_maker(options.structures, shot.render.acceleration),
+            quick_far_light(shot.scene, &store, {{}, limit.token()}));
         forecast.preparation_seconds = process_cpu_seconds() - begin;
         FilmProbe probe(source, plan, pictures);
         probe.measure(scene, has_sequences(shot, options.output),

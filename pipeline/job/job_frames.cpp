@@ -60,7 +60,8 @@ RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
     if (options.renderer) {
         return options.renderer;
     }
-    return make_scene_renderer(shot, options.threads, options.structures);
+    return make_scene_renderer(shot, options.threads, options.structures,
+                               std::make_shared<const FrameStore>(open_store(options)));
 }
 
 }  // namespace carom::pipeline

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "core/progress.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/frame_inputs.h"
+#include "pipeline/store/frame_store.h"
 #include "render/acceleration/structure_maker.h"
 #include "render/film/film.h"
 #include "render/frame/frame_sums.h"
@@ -19,8 +21,10 @@ using RenderFunction =
     std::function<render::Film(const FrameInputs&, const WorkContext&, render::FrameSums*)>;
 
 /// Calls render_frame on `threads` threads (0: one per processor). The scene is prepared for the
-/// first picture. Refers to `shot`; `structures` may be null.
+/// first picture, its far light with it, which is looked for in `store` and kept there. Refers to
+/// `shot`; `structures` and `store` may be null.
 [[nodiscard]] RenderFunction make_scene_renderer(const Shot& shot, int threads,
-                                                 render::NamedStructures structures);
+                                                 render::NamedStructures structures,
+                                                 std::shared_ptr<const FrameStore> store = nullptr);
 
 }  // namespace carom::pipeline

@@ -62,7 +62,7 @@ void add_table(render::SceneDescription& scene, const sim::billiards::TableMeasu
         return;
     }
     render::ObjectDescription floor;
-    floor.name = "table/floor";
+    floor.name = kFloorName;
     floor.shape = render::PlaneShape{};
     floor.world_from_object.setTranslation(Vec3(0, 0, -measures.height));
     floor.material = "floor";

@@ -95,6 +95,8 @@ std::vector<CacheEntry> list_cache(const std::string& folder) {
     std::vector<CacheEntry> entries;
     collect_entries(fs::path(folder) / "frames", ".exr", CacheEntry::Kind::frame, entries);
     collect_entries(fs::path(folder) / "frames", ".sums", CacheEntry::Kind::sums, entries);
+    collect_entries(fs::path(folder) / "frames", kFarLightExtension, CacheEntry::Kind::light,
+                    entries);
     collect_entries(fs::path(folder) / "frames", kNoisyExtension, CacheEntry::Kind::noisy, entries);
     collect_entries(answers_folder(folder), ".answer", CacheEntry::Kind::answer, entries);
     collect_entries(fs::path(folder) / "bakes", ".bake", CacheEntry::Kind::bake, entries);

@@ -19,6 +19,7 @@ struct CacheEntry {
         bake,
         answer,  // of a solver
         sums,    // of a frame that was stopped
+        light,   // of the far surfaces of a scene
         noisy,   // a frame before it was denoised, with what only the denoiser reads
     };
     Kind kind = Kind::frame;
@@ -33,6 +34,9 @@ struct CacheEntry {
 
 /// The ending of the name of a noisy frame.
 inline constexpr const char* kNoisyExtension = ".noisy";
+
+/// The ending of the name of the light of a scene's far surfaces (job/far_light.h).
+inline constexpr const char* kFarLightExtension = ".light";
 
 /// A file about a frame in the folder of the frames, and the files of a frame and of a bake.
 [[nodiscard]] std::string file_about(const Hash128& key, const std::string& frames_folder,

@@ -24,6 +24,7 @@ FrameFileState state_of(const CacheEntry& entry) {
     switch (entry.kind) {
         case CacheEntry::Kind::sums:
         case CacheEntry::Kind::answer:
+        case CacheEntry::Kind::light:
             return FrameFileState::intact;  // whoever goes on with them checks them
         case CacheEntry::Kind::frame:
         case CacheEntry::Kind::noisy:

@@ -92,6 +92,7 @@ class FrameStore {
     /// Removes the claims on a frame that all machines see.
     void forget_claims(const Hash128& key) const { claims_->forget(key.to_string()); }
 
+    [[nodiscard]] bool may_write() const { return access_ != StoreAccess::only_read; }
     [[nodiscard]] std::string path_of(const Hash128& key) const;
     /// The path of another file about the frame.
     [[nodiscard]] std::string file_of(const Hash128& key, const char* extension) const;

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/field_hasher.h"
 #include "pipeline/store/frame_key.h"
+#include "render/frame/bake_far_light.h"
 
 namespace carom::pipeline {
 namespace {
@@ -27,14 +28,18 @@ render::MaterialDescription used_material(const render::ObjectDescription& objec
 }  // namespace
 
 Hash128 hash_scene(const render::SceneDescription& scene) {
-    const auto& [objects, materials, lights] = scene;
+    const auto& [objects, materials, lights, far] = scene;
     FieldHasher hasher;
     hasher.add("carom scene, format 4").add(std::uint64_t{objects.size()});
     for (const render::ObjectDescription& object : objects) {
         hasher.add_value(object).add(!object.track.empty());
         hasher.add_value(used_material(object, materials));
     }
-    return hasher.add_value(lights).finish();
+    hasher.add_value(lights);
+    if (far) {
+        hasher.add_value(*far).add(std::int32_t{render::kFarLightRevision});
+    }
+    return hasher.finish();
 }
 
 }  // namespace carom::pipeline

@@ -1,6 +1,7 @@
 #include "pipeline/studio/kept_scene.h"
 
 #include "core/field_hasher.h"
+#include "pipeline/job/far_light.h"
 
 namespace carom::studio {
 namespace {
@@ -29,7 +30,9 @@ std::shared_ptr<const render::PreparedScene> KeptScene::of(const pipeline::Shot&
                                                            const Hash128& scene_hash) {
     const Hash128 key = key_of_scene(shot, scene_hash);
     if (!scene_ || !(key == key_)) {
-        scene_ = std::make_shared<const render::PreparedScene>(shot.scene, shot.render);
+        scene_ = std::make_shared<const render::PreparedScene>(
+            shot.scene, shot.render, render::StructureMaker(),
+            pipeline::quick_far_light(shot.scene, nullptr, {}));
         key_ = key;
         count_ += 1;
     }

@@ -1,7 +1,7 @@
 #include "render/frame/bake_far_light.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <span>
@@ -156,36 +156,64 @@ std::vector<V3f> bake_cells(const StillScene& scene, const std::vector<FarPoints
     return irradiances;
 }
 
-/// Takes noise away: the mean of a cell and those around it in its face, less of those whose light
-/// differs more than noise does.
+/// A cell, and those around it in its face.
+struct Neighbours {
+    static constexpr int kMost = 27;
+    int count = 0;
+    std::array<V3f, kMost> light;
+    std::array<float, kMost> weight{};  // less of those farther away
+};
+
+Neighbours neighbours_of(const std::vector<FarPoints>& cells, const std::vector<V3f>& irradiances,
+                         std::uint64_t key) {
+    Neighbours all;
+    for (int k = 0; k < Neighbours::kMost; ++k) {
+        const int step[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        const std::uint64_t other = FarGrid::neighbour(key, step[0], step[1], step[2]);
+        const auto found = std::ranges::lower_bound(cells, other, {}, &FarPoints::key);
+        if (found != cells.end() && found->key == other) {
+            const int away = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
+            const auto at = static_cast<std::size_t>(all.count++);
+            all.light[at] = irradiances[static_cast<std::size_t>(found - cells.begin())];
+            all.weight[at] = 1 / static_cast<float>(1 << away);
+        }
+    }
+    return all;
+}
+
+float median_brightness(const Neighbours& all) {
+    std::array<float, Neighbours::kMost> brightness{};
+    const auto count = static_cast<std::size_t>(all.count);
+    std::transform(all.light.begin(), all.light.begin() + all.count, brightness.begin(),
+                   [](const V3f& light) { return luminance(light); });
+    std::sort(brightness.begin(), brightness.begin() + all.count);
+    return (brightness[(count - 1) / 2] + brightness[count / 2]) / 2;
+}
+
+/// Takes noise away: the mean around each cell, less of what differs from the median there more
+/// than noise does, such as the rare bright paths.
 std::vector<FarLight::Cell> smoothed(const std::vector<FarPoints>& cells,
                                      const std::vector<V3f>& irradiances) {
     constexpr float kWidth = 0.12F;  // of a difference, over the sum
-    const auto brightness = [](const V3f& light) { return luminance(light) + 1e-6F; };
-    std::vector<FarLight::Cell> result;
-    result.reserve(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const float own = brightness(irradiances[i]);
-        V3f sum(0);
-        float weights = 0;
-        for (int k = 0; k < 27; ++k) {
-            const int step[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
-            const std::uint64_t key = FarGrid::neighbour(cells[i].key, step[0], step[1], step[2]);
-            const auto found = std::ranges::lower_bound(cells, key, {}, &FarPoints::key);
-            if (found == cells.end() || found->key != key) {
-                continue;
+    constexpr float kDark = 1e-6F;
+    std::vector<FarLight::Cell> result(cells.size());
+    parallel_for(cells.size() / kCellsAtOnce + 1, [&](std::size_t block) {
+        const std::size_t last = std::min((block + 1) * kCellsAtOnce, cells.size());
+        for (std::size_t cell = block * kCellsAtOnce; cell < last; ++cell) {
+            const Neighbours all = neighbours_of(cells, irradiances, cells[cell].key);
+            const float middle = median_brightness(all);
+            V3f sum(0);
+            float weights = 0;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(all.count); ++i) {
+                const float own = luminance(all.light[i]);
+                const float difference = (own - middle) / (kWidth * (own + middle + kDark));
+                const float weight = all.weight[i] / (1 + difference * difference);
+                sum += weight * all.light[i];
+                weights += weight;
             }
-            const V3f& light = irradiances[static_cast<std::size_t>(found - cells.begin())];
-            const float other = brightness(light);
-            const float difference = (other - own) / (kWidth * (other + own));
-            const int away = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
-            const float weight =
-                1 / (static_cast<float>(1 << away) * (1 + difference * difference));
-            sum += weight * light;
-            weights += weight;
+            result[cell] = {cells[cell].key, SharedExponent(sum / weights)};
         }
-        result.push_back({cells[i].key, SharedExponent(sum / weights)});
-    }
+    });
     return result;
 }
 

@@ -52,6 +52,7 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     build_table_scene(builder);
     build_stick(builder);
     build_look(builder);
+    build_set(builder);
     build_events(builder);
     build_film(builder);
     build_annotations(builder);

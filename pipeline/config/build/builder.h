@@ -53,6 +53,7 @@ void build_table_geometry(Builder& builder);
 void build_table_scene(Builder& builder);  // what is seen of it
 void build_stick(Builder& builder);        // the cue stick, if it is seen
 void build_look(Builder& builder);         // materials and lights
+void build_set(Builder& builder);          // what of the room is far, after all objects
 void build_events(Builder& builder);
 void build_film(Builder& builder);     // cameras, timing, render and output settings
 void apply_denoise(Builder& builder);  // what it asks of the render settings

@@ -202,6 +202,11 @@ void build_table_scene(Builder& builder) {
     } else {
         add_table(builder.shot.scene, measures, sim::billiards::draw_table(measures, radius));
     }
+    if (builder.file.set) {  // which has a floor of its own
+        std::erase_if(builder.shot.scene.objects, [](const render::ObjectDescription& object) {
+            return object.name == kFloorName;
+        });
+    }
 }
 
 }  // namespace carom::pipeline::config

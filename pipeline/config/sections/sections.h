@@ -24,6 +24,8 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<NotStored>& conditions_spec();
 [[nodiscard]] const MapSpec<BallSetSection>& ball_set_spec();
 [[nodiscard]] const MapSpec<TableSection>& table_spec();
+/// Without the file of the set, which is merged before (gather.h).
+[[nodiscard]] ValueType<SetSection> set_of_shot();
 [[nodiscard]] const MapSpec<RackSection>& rack_spec();
 [[nodiscard]] const MapSpec<BallSection>& ball_spec();
 [[nodiscard]] const MapSpec<ObjectSection>& object_spec();

@@ -39,6 +39,9 @@ const MapSpec<ShotFile>& shot_spec() {
             "balls and the stick");
         s.map("ball_set", &ShotFile::ball_set, ball_set_spec(), "properties that all balls share");
         s.key("table", &ShotFile::table, record(table_spec()), "the billiard table");
+        s.key("set", &ShotFile::set, set_of_shot(),
+              "the room around the table: the name of a set (`club`), a file with its objects, "
+              "materials, lights and look, whose keys the shot inherits and may replace, or a map");
         s.key("rack", &ShotFile::rack, record(rack_spec()), "the object balls of a game");
         s.key("balls", &ShotFile::balls, named("ball", ball_spec()), "individual balls");
         s.key("objects", &ShotFile::objects, named("object", object_spec()), "other objects");
