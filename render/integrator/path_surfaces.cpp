@@ -61,23 +61,10 @@ void PathIntegrator::add_far_ends(Wave& wave) const {
     if (wave.vertex == 0) {
         note_first_surfaces(ends, wave);
     }
-    const bool has_sky = wave_scene_.has_sky;
     for (int i = 0; i < ends.count; ++i) {
         const int path = ends.path.at[i];
-        const float weight = has_sky ? weight_of_direction(path, paths) : 1.0F;
-        wave.add(path, paths.throughput.get(path) * far_surfaces_.whole(ends, i) * weight,
-                 wave.vertex);
+        wave.add(path, paths.throughput.get(path) * far_surfaces_.whole(ends, i), wave.vertex);
     }
-}
-
-// Multiple importance sampling of a path that found what shadow rays look for in the directions of
-// the sky.
-float PathIntegrator::weight_of_direction(int path, const PathQueue& paths) const {
-    using scalar::One;
-    const V3f direction = paths.direction.get(path);
-    const float pdf = scalar::environment_pdf<One>(
-        wave_scene_.sky, direction, scalar::environment_uv<One>(wave_scene_.sky, direction));
-    return scalar::weight_of_environment<One>(wave_scene_, paths, path, pdf);
 }
 
 // Those whose gloss is seen: the vertex adds what is diffuse, and only its gloss continues.

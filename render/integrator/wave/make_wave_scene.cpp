@@ -133,11 +133,16 @@ WaveScene& make_in(const TransportScene& scene, const WaveSetUp& set_up, SceneAr
     known.all_lights = arena.add(lights);
     known.lights = known.all_lights;
     const Environment& environment = scene.lights.directions();
+    if (scene.far != nullptr) {
+        known.has_far = true;
+        known.sky_distance = kFarDistance;
+        known.near_low = scene.far->grid().near().min;
+        known.near_high = scene.far->grid().near().max;
+    }
     known.environment_importance = environment.importance();
     if (environment.is_sampled() && environment.picture().distribution.density.exists()) {
         known.has_sky = true;
         known.sky = environment.picture();
-        known.sky_distance = scene.far != nullptr ? kFarDistance : kInfinity;
         arena.take(known.sky);
     }
     add_objects(scene, known, arena);
