@@ -53,8 +53,8 @@ class StillScene {
           transport_{frame_, prepared_.data().materials, lights_, prepared_.data().object_count} {}
 
     [[nodiscard]] const TransportScene& transport() const { return transport_; }
-    [[nodiscard]] std::uint32_t white() const {
-        return static_cast<std::uint32_t>(transport_.materials.size() - 1);
+    [[nodiscard]] std::int32_t white() const {
+        return static_cast<std::int32_t>(transport_.materials.size() - 1);
     }
 
   private:

@@ -89,12 +89,12 @@ void PathIntegrator::add_far_vertices(Wave& wave) const {
 
 // See PathSettings::white.
 void PathIntegrator::whiten(Wave& wave) const {
-    if (!settings_.white) {
+    if (settings_.white < 0) {
         return;
     }
     const SurfaceQueue& vertices = wave.vertices;
     for (int i = 0; i < vertices.count; ++i) {
-        vertices.material.at[i] = static_cast<std::int32_t>(*settings_.white);
+        vertices.material.at[i] = settings_.white;
         vertices.base.set(i, V3f(1));
         vertices.normal.set(i, vertices.geometric_normal.get(i));
         for (int number = 0; vertices.numbers != nullptr && number < kTexturedNumbers; ++number) {

@@ -50,10 +50,10 @@ const Hit* HitSurfaces::trace(const PathQueue& paths) {
 }
 
 void HitSurfaces::trace_near(const PathQueue& paths) {
-    const auto choose = [&](bool is_delta) {
+    const auto choose = [&](bool sees_all) {
         some_.clear();
         for (int i = 0; i < paths.count; ++i) {
-            if ((paths.is_delta.at[i] != 0) == is_delta) {
+            if ((paths.sees_all.at[i] != 0) == sees_all) {
                 some_.push_back(i);
             }
         }

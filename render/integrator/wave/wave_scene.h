@@ -171,7 +171,9 @@ struct WaveScene {
     }
     /// Number of directions sampled towards the environment for a rough coat that the camera sees,
     /// beyond the first.
-    [[nodiscard]] int further_rays() const { return has_environment ? glossy_samples - 1 : 0; }
+    [[nodiscard]] int further_rays() const {
+        return has_environment && !has_far ? glossy_samples - 1 : 0;
+    }
 };
 
 }  // namespace carom::render
