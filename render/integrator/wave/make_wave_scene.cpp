@@ -209,7 +209,8 @@ void set_up(const PathSettings& settings, const Caustics& caustics, WaveScene& w
     if (wave_scene.light_tree.exists()) {
         WaveLight& many = lights.emplace_back();
         many.kind = WaveLight::Kind::many;
-        many.samples = kSamplesOfTree;
+        // Lamps of a room are far, and their shadow rays go through all of it.
+        many.samples = wave_scene.has_far ? 1 : kSamplesOfTree;
     }
     wave_scene.lights = arena.add(lights);
     if (settings.strategy == DirectStrategy::scattering_only) {
