@@ -209,8 +209,7 @@ void set_up(const PathSettings& settings, const Caustics& caustics, WaveScene& w
     if (wave_scene.light_tree.exists()) {
         WaveLight& many = lights.emplace_back();
         many.kind = WaveLight::Kind::many;
-        // Lamps of a room are far, and their shadow rays go through all of it.
-        many.samples = wave_scene.has_far ? 1 : kSamplesOfTree;
+        many.samples = kSamplesOfTree;
     }
     wave_scene.lights = arena.add(lights);
     if (settings.strategy == DirectStrategy::scattering_only) {

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/config/load_shot.h"
 #include "pipeline/store/cache_entry.h"
+#include "tests/folders.h"
 #include "tests/render/scene_builder.h"
 #include "tests/scratch_folder.h"
 
@@ -137,6 +139,15 @@ TEST_F(FarLightStore, QuickLight_IsThatOfTheStoreOrCoarse) {
     const auto exact = far_light(room(), &store, {});
     EXPECT_LT(coarse->cells().size(), exact->cells().size());
     EXPECT_EQ(quick_far_light(room(), &store, {})->cells().size(), exact->cells().size());
+}
+
+/// Else scripts/assets/bake_sets computes it.
+TEST(FarLightOfSets, Club_HasTheLightOfItsScene) {
+    const LoadResult loaded = load_shot(std::string(CAROM_SOURCE_DIR) + "/bench/sets/club.yaml");
+    ASSERT_TRUE(loaded.shot);
+    const auto light = known_far_light(loaded.shot->scene, nullptr);
+    ASSERT_NE(light, nullptr);
+    EXPECT_LT(render::encoded(*light, "").size(), 3'000'000U);
 }
 
 }  // namespace
