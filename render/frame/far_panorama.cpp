@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kColumns = FarLight::kColumns;
 constexpr int kRows = kColumns / 2;
+constexpr int kRaysAcross = 4;  // a pixel: small lamps fill less than one
+constexpr int kRaysOfPixel = kRaysAcross * kRaysAcross;
 
 std::vector<V3f> places_above(const FarRegion& region) {
     constexpr float kPlaces[] = {0.15F, 0.5F, 0.85F};  // of the box
@@ -47,7 +49,15 @@ class RowTracer {
     }
 
     void add(int row, const V3f& place, std::vector<V3f>& sums) {
-        begin(row, place);
+        for (int k = 0; k < kRaysOfPixel; ++k) {
+            begin(row, place, (static_cast<float>(k / kRaysAcross) + 0.5F) / kRaysAcross,
+                  (static_cast<float>(k % kRaysAcross) + 0.5F) / kRaysAcross);
+            add_rays(sums);
+        }
+    }
+
+  private:
+    void add_rays(std::vector<V3f>& sums) {
         const Hit* const hits = hits_.trace(rays_);
         on_surfaces_.count = 0;
         for (int i = 0; i < kColumns; ++i) {
@@ -55,7 +65,10 @@ class RowTracer {
             if (hits[i].object == kNoObject) {
                 sums[static_cast<std::size_t>(i)] +=
                     scene_.lights.environment().radiance(direction);
-            } else if (surfaces_.is_far(rays_.origin.get(i), direction, hits[i])) {
+                continue;
+            }
+            sums[static_cast<std::size_t>(i)] += emitted(rays_.origin.get(i), direction, hits[i]);
+            if (surfaces_.is_far(rays_.origin.get(i), direction, hits[i])) {
                 on_surfaces_.add(i);
             }
         }
@@ -65,14 +78,26 @@ class RowTracer {
         }
     }
 
-  private:
-    /// Rays from where they leave the near box.
-    void begin(int row, const V3f& place) {
-        const auto polar = scalar::sin_cos<scalar::One>(kPi * (static_cast<float>(row) + 0.5F) /
+    /// By what a ray hits.
+    [[nodiscard]] V3f emitted(const V3f& origin, const V3f& direction, const Hit& hit) const {
+        if (!scene_.far->grid().is_far(origin + direction * hit.t)) {
+            return V3f(0);
+        }
+        if (scene_.is_light(hit)) {
+            return scene_.lights.emitted(scene_.light_of(hit), -direction);
+        }
+        const SurfacePoint point = scene_.frame.surface_at({origin, direction}, hit);
+        const bool is_front = point.geometric_normal.dot(direction) < 0;
+        return is_front ? scene_.materials[point.material].mean_emission() : V3f(0);
+    }
+
+    /// Rays from where they leave the near box; `down` and `across`: in the pixels.
+    void begin(int row, const V3f& place, float down, float across) {
+        const auto polar = scalar::sin_cos<scalar::One>(kPi * (static_cast<float>(row) + down) /
                                                         static_cast<float>(kRows));
         for (int column = 0; column < kColumns; ++column) {
             // As environment_uv (light/kernels/environment.h).
-            const float u = (static_cast<float>(column) + 0.5F) / static_cast<float>(kColumns);
+            const float u = (static_cast<float>(column) + across) / static_cast<float>(kColumns);
             const auto turn = scalar::sin_cos<scalar::One>(kTurn * (1.5F - u));
             const V3f direction =
                 V3f(polar.sine * turn.cosine, polar.sine * turn.sine, polar.cosine).normalized();
@@ -112,8 +137,8 @@ std::vector<SharedExponent> far_panorama(const TransportScene& scene, const FarR
             tracer.add(static_cast<int>(row), place, sums);
         }
         for (std::size_t column = 0; column < kColumns; ++column) {
-            panorama[row * kColumns + column] =
-                SharedExponent(sums[column] / static_cast<float>(places.size()));
+            panorama[row * kColumns + column] = SharedExponent(
+                sums[column] / static_cast<float>(kRaysOfPixel * static_cast<int>(places.size())));
         }
     });
     return panorama;

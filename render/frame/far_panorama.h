@@ -9,8 +9,8 @@
 namespace carom::render {
 
 /// The radiance of far surfaces and the environment by direction, FarLight::kColumns wide: the mean
-/// of what is seen from a few places above the region's box, beyond its near box. Lamps are left
-/// out. `scene`: with far light whose cells are known.
+/// of what is seen from a few places above the region's box, beyond its near box, with its
+/// lamps. `scene`: with far light whose cells are known.
 [[nodiscard]] std::vector<SharedExponent> far_panorama(const TransportScene& scene,
                                                        const FarRegion& region);
 

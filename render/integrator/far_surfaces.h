@@ -14,8 +14,8 @@ namespace carom::render {
 /// interpolated (FarLight); its colour and its own emission are exact. They are seen by the camera
 /// and in mirrors, where their gloss is followed one vertex further.
 ///
-/// Paths that scattered diffusely do not look for them: beyond the near box they find the panorama,
-/// as if the room were an environment, and lamps there are only sampled.
+/// Paths that scattered before do not look for them: beyond the near box they find the panorama, as
+/// if the room were an environment, and there all lamps are sampled.
 class FarSurfaces {
   public:
     /// The scene outlives it.

@@ -144,7 +144,6 @@ void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave)
     fill(paths.total_importance, 0.0f);
     fill(paths.environment_samples, 1.0f);
     fill(paths.is_delta, 1);
-    fill(paths.sees_all, 1);
     fill(paths.connects, light_tracer_ != nullptr ? 1 : 0);
     fill(paths.connected_sphere, -1);
     fill(paths.entered_sphere, -1);
@@ -177,7 +176,7 @@ void PathIntegrator::process_hits(Wave& wave) const {
     wave.far_paths.count = 0;
     for (int i = 0; i < paths.count; ++i) {
         const Hit& hit = hits[i];
-        if (hit.object == kNoObject && far_surfaces_.exist() && paths.sees_all.at[i] != 0) {
+        if (hit.object == kNoObject && far_surfaces_.exist() && paths.is_delta.at[i] != 0) {
             wave.add_light(i, paths.throughput.get(i) *
                                   scene_.lights.environment().radiance(paths.direction.get(i)));
         } else if (hit.object == kNoObject) {

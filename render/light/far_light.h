@@ -78,7 +78,7 @@ class FarLight {
     static constexpr int kColumns = 256;  // of the panorama; half as many rows
 
     /// `cells`: sorted by key, each once. `panorama`: radiance of far surfaces and the environment
-    /// as seen from the table, as the picture of an environment, without lamps.
+    /// and lamps as seen from the table, as the picture of an environment.
     FarLight(const FarRegion& region, std::vector<Cell> cells,
              std::vector<SharedExponent> panorama);
 

@@ -50,10 +50,10 @@ const Hit* HitSurfaces::trace(const PathQueue& paths) {
 }
 
 void HitSurfaces::trace_near(const PathQueue& paths) {
-    const auto choose = [&](bool sees_all) {
+    const auto choose = [&](bool is_delta) {
         some_.clear();
         for (int i = 0; i < paths.count; ++i) {
-            if ((paths.sees_all.at[i] != 0) == sees_all) {
+            if ((paths.is_delta.at[i] != 0) == is_delta) {
                 some_.push_back(i);
             }
         }

@@ -22,8 +22,8 @@ class HitSurfaces {
     HitSurfaces(const TransportScene& scene, const WaveScene& wave_scene,
                 const WaveKernels& kernels, int most_paths);
 
-    /// The next hits of all paths, by path. In a scene with far light, those that do not see all
-    /// find only what is in its near box.
+    /// The next hits of all paths, by path. In a scene with far light, paths that scattered find
+    /// only what is in its near box.
     const Hit* trace(const PathQueue& paths);
     /// Completes the vertices of some paths that hit a surface, in the order of their groups.
     void find(const PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices);

@@ -67,9 +67,11 @@ LightTree make_tree(const LightSet& lights, const FarLight* far, std::vector<Wav
             }
         }
         for (const std::size_t light : numbers) {
-            const bool is_far = far != nullptr && far->grid().is_far(in_tree[light].box.center());
-            made[light].is_in_tree =
-                (is_far || numbers.size() > kFewLights) && in_tree[light].strength > 0;
+            made[light].is_in_panorama = far != nullptr &&
+                                         made[light].kind != WaveLight::Kind::delta &&
+                                         far->grid().is_far(in_tree[light].box.center());
+            made[light].is_in_tree = !made[light].is_in_panorama && numbers.size() > kFewLights &&
+                                     in_tree[light].strength > 0;
             in_tree[light].strength = made[light].is_in_tree ? in_tree[light].strength : 0;
         }
     };
@@ -205,7 +207,7 @@ void set_up(const PathSettings& settings, const Caustics& caustics, WaveScene& w
     std::vector<WaveLight> lights;
     std::copy_if(wave_scene.all_lights.begin(), wave_scene.all_lights.end(),
                  std::back_inserter(lights),
-                 [](const WaveLight& light) { return !light.is_in_tree; });
+                 [](const WaveLight& light) { return !light.is_in_tree && !light.is_in_panorama; });
     if (wave_scene.light_tree.exists()) {
         WaveLight& many = lights.emplace_back();
         many.kind = WaveLight::Kind::many;

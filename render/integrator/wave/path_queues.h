@@ -41,7 +41,6 @@ struct PathQueue {
     Floats pdf;
     Floats total_importance, environment_samples;
     Words is_delta, connects;  // 1 or 0
-    Words sees_all;            // 0: finds only what is near in a scene with far light
     /// LastScattering::connected_sphere, with this bit if the path passed the sphere.
     static constexpr std::int32_t kPassedSphere = 1 << 30;
     Words connected_sphere;
@@ -52,7 +51,7 @@ struct PathQueue {
     void each_array(const Visit& visit) {
         visit(slot, branch, origin, direction, time, throughput, cone_width, cone_spread,
               last_position, last_normal, pdf, total_importance, environment_samples, is_delta,
-              connects, sees_all, connected_sphere, entered_sphere);
+              connects, connected_sphere, entered_sphere);
     }
 };
 

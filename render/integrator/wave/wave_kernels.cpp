@@ -69,7 +69,6 @@ struct AppendedPaths {
         store(path.environment_samples, to.environment_samples);
         store(path.is_delta, to.is_delta);
         store(path.connects, to.connects);
-        store(path.sees_all, to.sees_all);
         store(path.connected_sphere, to.connected_sphere);
         if (transmits) {
             store(path.entered_sphere, to.entered_sphere);

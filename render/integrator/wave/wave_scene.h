@@ -39,7 +39,8 @@ struct WaveLight {
     Kind kind = Kind::dark_environment;
     int number = -1;  // in LightSet; of `many` none
     bool is_in_tree = false;
-    int samples = 1;  // at a path's first vertex
+    bool is_in_panorama = false;  // of far surfaces, and not sampled by itself
+    int samples = 1;              // at a path's first vertex
     bool is_round = false;
     AreaLightConstants area;
     DeltaLightConstants delta;
@@ -171,9 +172,7 @@ struct WaveScene {
     }
     /// Number of directions sampled towards the environment for a rough coat that the camera sees,
     /// beyond the first.
-    [[nodiscard]] int further_rays() const {
-        return has_environment && !has_far ? glossy_samples - 1 : 0;
-    }
+    [[nodiscard]] int further_rays() const { return has_environment ? glossy_samples - 1 : 0; }
 };
 
 }  // namespace carom::render

@@ -15,7 +15,7 @@ template <class L>
 struct NextPathOf : NextRayOf<L> {
     Vec3Of<L> last_position, last_normal;
     ValueOf<L> pdf, total_importance, environment_samples;
-    IntOf<L> is_delta, connects, sees_all, connected_sphere, entered_sphere;
+    IntOf<L> is_delta, connects, connected_sphere, entered_sphere;
 };
 
 /// What continues from the vertices whatever their directions.
@@ -68,11 +68,11 @@ CAROM_KERNEL void set_spheres(const WaveStep& step, const VertexOf<L>& v, const 
 }
 
 /// Passes a direction on to `next` where it is on the right side of the surface and carries light.
-/// `samples`: the number of directions taken of the part. `sees_all`: besides single directions.
+/// `samples`: the number of directions taken of the part.
 template <class L, class Next>
 CAROM_KERNEL void proceed(const WaveStep& step, const VertexOf<L>& v, const ContinuationOf<L>& from,
                           const DirectionOf<L>& to, IntOf<L> branch, ValueOf<L> samples,
-                          MaskOf<L> wanted, MaskOf<L> sees_all, bool connects, const Next& next) {
+                          MaskOf<L> wanted, bool connects, const Next& next) {
     const auto one = L::all_int(1);
     const auto zero = L::all_int(0);
     const SideOf<L> side = side_of<L>(v.bsdf, to.world, to.wi.z);
@@ -102,7 +102,6 @@ CAROM_KERNEL void proceed(const WaveStep& step, const VertexOf<L>& v, const Cont
     path.total_importance = v.total_importance;
     path.environment_samples = v.environment_samples;
     path.is_delta = L::select_int(to.is_delta, one, zero);
-    path.sees_all = L::select_int(L::either(to.is_delta, sees_all), one, zero);
     path.connects = zero;
     if (connects) {
         path.connects = L::select_int(L::without(v.connects, to.is_delta), one, zero);
@@ -139,7 +138,7 @@ CAROM_KERNEL void follow_coats(const WaveStep& step, const VertexOf<L>& v,
         }
         const auto branch = twice + L::all_int(static_cast<std::int32_t>(kBranchesOfOneCoat) * k);
         proceed<L>(step, v, from, sample_coat<L>(v.bsdf, v.splits, from.takes_coat, point), branch,
-                   v.coat_samples, k == 0 ? coats : v.shows_gloss, v.valid, connects, next.at(k));
+                   v.coat_samples, k == 0 ? coats : v.shows_gloss, connects, next.at(k));
     }
 }
 
@@ -153,5 +152,5 @@ CAROM_KERNEL void follow_base(const WaveStep& step, const VertexOf<L>& v,
         sample_base<L>(v.bsdf, v.splits, {after_choice<L>(v.bsdf, v.splits, u.x), u.y});
     const auto branch =
         L::select_int(v.splits, from.branch + from.branch + L::all_int(1), from.branch);
-    proceed<L>(step, v, from, to, branch, L::all(1), bases, v.base_sees_all, connects, next.at(0));
+    proceed<L>(step, v, from, to, branch, L::all(1), bases, connects, next.at(0));
 }

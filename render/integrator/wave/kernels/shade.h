@@ -73,6 +73,5 @@ CAROM_KERNEL void trace_coats(const WaveStep& step, int first, const Next& next)
     const ContinuationOf<L> from = continuation_of<L>(step, v, L::all(0));
     DirectionOf<L> to = sample_coat<L>(v.bsdf, v.splits, from.takes_coat, numbers);
     to.weight = to.weight * v.coat_samples;
-    proceed<L>(step, v, from, to, from.branch + from.branch, v.coat_samples, v.splits, v.valid,
-               false, next);
+    proceed<L>(step, v, from, to, from.branch + from.branch, v.coat_samples, v.splits, false, next);
 }

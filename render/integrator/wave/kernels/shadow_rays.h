@@ -40,22 +40,32 @@ CAROM_KERNEL ValueOf<L> weight_of(const WaveScene& scene, ValueOf<L> pdf, ValueO
     return scene.strategy == DirectStrategy::both ? power_heuristic<L>(pdf, other) : L::all(1);
 }
 
-/// How samples of a light count at vertices. Glossy lobes find what is far themselves, others find
-/// no lamps beyond the near box.
+/// The light that a vertex scatters from a direction, per unit of radiance, weighted against the
+/// scattering that could have found the light. `passes`: it is beyond the surface.
 template <class L>
-struct SamplingOf {
-    ValueOf<L> pdf;         // against the coat's directions
-    ValueOf<L> for_base;    // against those of the base
-    ValueOf<L> coat, base;  // 0: the lobes are not sampled, or 1
-};
+CAROM_KERNEL Vec3Of<L> weighted_value(const WaveScene& scene, const VertexOf<L>& v,
+                                      const Vec3Of<L>& wi, MaskOf<L> passes, ValueOf<L> light_pdf) {
+    const LobeValueOf<L> base = base_towards<L>(v.bsdf, wi, passes);
+    const auto by_base = base_probability<L>(v.bsdf, v.splits) * base.pdf;
+    if (!v.bsdf.lobes.any_rough_coat) {
+        return base.value * weight_of<L>(scene, light_pdf, by_base);
+    }
+    const LobeValueOf<L> coat = coat_towards<L>(v.bsdf, wi, passes);
+    const auto by_all = by_base + v.bsdf.lobes.coat_probability * coat.pdf;
+    const auto weight_of_base =
+        weight_of<L>(scene, light_pdf, L::select(v.splits, by_base, by_all));
+    const auto weight_of_coat =
+        weight_of<L>(scene, light_pdf, L::select(v.splits, coat.pdf * v.coat_samples, by_all));
+    return base.value * weight_of_base + coat.value * weight_of_coat;
+}
 
+/// The density of samples of a light as it counts for their weight: beyond the near box no
+/// scattered path finds the light instead.
 template <class L>
-CAROM_KERNEL SamplingOf<L> sampling_of(const WaveScene& scene, const VertexOf<L>& v,
-                                       const LightSampleOf<L>& light, ValueOf<L> pdf) {
-    const auto zero = L::all(0);
-    const auto one = L::all(1);
+CAROM_KERNEL ValueOf<L> density_for_weight(const WaveScene& scene, const VertexOf<L>& v,
+                                           const LightSampleOf<L>& light, ValueOf<L> pdf) {
     if (!scene.has_far) {
-        return {pdf, pdf, one, one};
+        return pdf;
     }
     const Vec3Of<L> end = v.position + light.direction * light.distance;
     const Vec3Of<L> low = all_of<L>(scene.near_low);
@@ -63,31 +73,9 @@ CAROM_KERNEL SamplingOf<L> sampling_of(const WaveScene& scene, const VertexOf<L>
     const auto in_x = L::both(L::is_less(low.x, end.x), L::is_less(end.x, high.x));
     const auto in_y = L::both(L::is_less(low.y, end.y), L::is_less(end.y, high.y));
     const auto in_z = L::both(L::is_less(low.z, end.z), L::is_less(end.z, high.z));
-    const auto is_near = L::both(in_x, L::both(in_y, in_z));
     const auto is_sky = L::is_less(L::all(kLeastFarDistance), light.distance);
-    const auto is_found = L::either(L::either(is_near, is_sky), v.base_sees_all);
-    return {pdf, L::select(is_found, pdf, L::all(kDeltaPdf)), L::select(is_sky, zero, one),
-            L::select(L::both(is_sky, v.base_sees_all), zero, one)};
-}
-
-/// The light that a vertex scatters from a direction, per unit of radiance, weighted against the
-/// scattering that could have found the light. `passes`: it is beyond the surface.
-template <class L>
-CAROM_KERNEL Vec3Of<L> weighted_value(const WaveScene& scene, const VertexOf<L>& v,
-                                      const Vec3Of<L>& wi, MaskOf<L> passes,
-                                      const SamplingOf<L>& light) {
-    const LobeValueOf<L> base = base_towards<L>(v.bsdf, wi, passes);
-    const auto by_base = base_probability<L>(v.bsdf, v.splits) * base.pdf;
-    if (!v.bsdf.lobes.any_rough_coat) {
-        return base.value * (weight_of<L>(scene, light.for_base, by_base) * light.base);
-    }
-    const LobeValueOf<L> coat = coat_towards<L>(v.bsdf, wi, passes);
-    const auto by_all = by_base + v.bsdf.lobes.coat_probability * coat.pdf;
-    const auto weight_of_base =
-        weight_of<L>(scene, light.for_base, L::select(v.splits, by_base, by_all));
-    const auto weight_of_coat =
-        weight_of<L>(scene, light.pdf, L::select(v.splits, coat.pdf * v.coat_samples, by_all));
-    return base.value * (weight_of_base * light.base) + coat.value * (weight_of_coat * light.coat);
+    const auto is_found = L::either(L::both(in_x, L::both(in_y, in_z)), is_sky);
+    return L::select(is_found, pdf, L::all(kDeltaPdf));
 }
 
 /// Writes the `k`th shadow ray of the vertices. `expected`: expected number of directions towards
@@ -104,9 +92,9 @@ CAROM_KERNEL void add_shadow_rays(const WaveStep& step, const VertexOf<L>& v,
     const Vec3Of<L> wi = local_direction<L>(v, light.direction, height);
     const auto pdf = light.pdf * expected;
     const auto emits = L::both(L::both(wanted, light.valid), L::either(side.is_above, side.passes));
-    const auto sampling = sampling_of<L>(step.scene, v, light, pdf);
+    const auto weighed = density_for_weight<L>(step.scene, v, light, pdf);
     const Vec3Of<L> value = v.throughput *
-                            weighted_value<L>(step.scene, v, wi, side.passes, sampling) *
+                            weighted_value<L>(step.scene, v, wi, side.passes, weighed) *
                             light.radiance * (L::all(1) / pdf);
     const auto is_lit = L::both(emits, L::is_less(zero, largest<L>(value)));
     put_rays<L>(step.shadows, k, v.first, light, value, is_lit);
@@ -134,7 +122,7 @@ CAROM_KERNEL ValueOf<L> environment_sample_count(const WaveStep& step, const Ver
         L::all(step.scene.environment_importance) / (L::all(kFullSamplingFraction) * total);
     const auto expected = L::select(L::is_less(L::all(0), total),
                                     limited<L>(fraction, kMinEnvironmentSamples, 1), L::all(1));
-    return step.scene.has_far ? expected : L::select(v.shows_gloss, v.coat_samples, expected);
+    return L::select(v.shows_gloss, v.coat_samples, expected);
 }
 
 /// Samples the environment: sometimes, or several times where a rough coat shows it. Returns the
@@ -146,14 +134,14 @@ CAROM_KERNEL int sample_environment(const WaveStep& step, const VertexOf<L>& v, 
     const auto always = L::is_at_most(L::all(1), expected);
     const auto wanted = L::both(v.scatters, L::either(always, L::is_less(u.x, expected)));
     const auto rest = L::select(always, u.x, L::smaller(u.x / expected, L::all(kOneMinusEpsilon)));
-    const int samples = step.vertices.has_gloss ? 1 + step.scene.further_rays() : 1;
+    const int samples = step.vertices.has_gloss ? step.scene.glossy_samples : 1;
     for (int j = 0; j < samples; ++j, ++k) {
         if (j > 0 && L::none(v.shows_gloss)) {
             store<L>(L::all(0), step.shadows.t_max, step.shadows.place(k, v.first));
             continue;
         }
         Vec2Of<L> point{rest, u.y};
-        if (v.any_gloss && samples > 1) {
+        if (v.any_gloss) {
             const Vec2Of<L> shifted = lattice_point<L>(u, j, samples);
             point = {L::select(v.shows_gloss, shifted.x, rest),
                      L::select(v.shows_gloss, shifted.y, u.y)};

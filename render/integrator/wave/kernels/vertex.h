@@ -17,7 +17,6 @@ struct VertexOf {
     bool any_gloss;           // false: it is not in any lane
     ValueOf<L> coat_samples;  // number of directions of the coat
     MaskOf<L> connects;       // caustics may be sampled
-    MaskOf<L> base_sees_all;  // the base is glossy: its directions find what is far, too
     WordOf<L> vertex_index;
     ValueOf<L> total_importance, environment_samples;
 };
@@ -95,14 +94,10 @@ CAROM_KERNEL void decide(const WaveStep& step, VertexOf<L>& v) {
     v.scatters = L::both(kinds.scatters(), v.valid);
     v.connects = L::without(v.scatters, L::either(kinds.is_narrow, v.bsdf.transmits));
     const auto has_coat = L::both(v.valid, L::is_less(L::all(0), v.bsdf.lobes.coat));
-    const auto is_glossy = L::is_less(L::all(0), v.bsdf.lobes.specular);
     const SplittingOf<L> splitting =
         splitting_at<L>(step.paths.vertex, step.scene.split_vertices, step.scene.glossy_samples,
                         has_coat, v.bsdf.lobes.has_rough_coat);
     v.splits = splitting.splits;
-    v.base_sees_all = L::either(
-        L::either(is_glossy, v.bsdf.transmits),
-        L::either(v.bsdf.layers.is_phong, L::without(v.bsdf.lobes.has_rough_coat, v.splits)));
     v.shows_gloss = splitting.shows_gloss;
     v.any_gloss = splitting.any_gloss;
     v.coat_samples =
