@@ -1,15 +1,14 @@
-// What a room costs: set_bench SHOT [--samples N] [--seeds N] [--width N] [--cache FOLDER]. The
-// shot names a set. For six views, a row each: CPU seconds and relMSE of a frame in the room, of
-// the same table and lamp without the room (its objects and far lamps, and the environment), and
-// how many times the CPU seconds an equal error takes, over the pixels of the table and the balls
-// alone, and over all of them. Pictures are sampled evenly, on all processors.
+// What a room costs: set_bench ROOM ALONE [--samples N] [--seeds N] [--width N] [--cache FOLDER].
+// Both are shots with the same table and balls; ROOM names a set, ALONE does not. For six views, a
+// row each: CPU seconds and relMSE of a frame of each, and how many times the CPU seconds of ALONE
+// an equal error takes, over the pixels of the table and the balls, and for the room over all of
+// them. Pictures are sampled evenly.
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <numbers>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -44,14 +43,14 @@ const std::array<View, 6> kViews{{
 }};
 
 struct Options {
-    std::string shot, cache;
+    std::string room, alone, cache;
     int samples = 16, seeds = 4, width = 320;
 };
 
-pipeline::Shot load(const Options& options) {
-    pipeline::LoadResult loaded = pipeline::load_shot(options.shot);
-    if (!loaded.shot || !loaded.shot->scene.far) {
-        throw std::runtime_error("'" + options.shot + "' has errors, or no set");
+pipeline::Shot load(const std::string& path, const Options& options) {
+    pipeline::LoadResult loaded = pipeline::load_shot(path);
+    if (!loaded.shot) {
+        throw std::runtime_error("'" + path + "' has errors; see carom check");
     }
     render::RenderSettings& settings = loaded.shot->render;
     settings.width = options.width;
@@ -64,20 +63,21 @@ pipeline::Shot load(const Options& options) {
 }
 
 bool is_of_table(const render::ObjectDescription& object) {
-    return object.name.starts_with("table/") || !object.track.empty();
+    return (object.name.starts_with("table/") && object.name != "table/floor") ||
+           !object.track.empty();
 }
 
-/// The table, what moves, the objects over the table, and the lamps near it.
-render::SceneDescription without_room(render::SceneDescription scene) {
-    std::erase_if(scene.objects, [](const render::ObjectDescription& object) {
-        return !is_of_table(object) && object.name.starts_with("set_");
-    });
-    std::erase_if(scene.lights, [](const render::LightDescription& light) {
-        return light.name.starts_with("set_");
-    });
-    scene.far.reset();
-    return scene;
-}
+/// A shot at its first frame.
+struct Subject {
+    explicit Subject(pipeline::Shot of) : shot(std::move(of)) {
+        sim::Bake bake;
+        bake.timeline = sim::bake(shot.world);
+        pipeline::add_keyed_motions(bake, shot);
+        inputs = pipeline::FilmSource(shot, bake.timeline).inputs(0);
+    }
+    pipeline::Shot shot;
+    pipeline::FrameInputs inputs;
+};
 
 struct Cost {
     double seconds = 0;
@@ -142,40 +142,40 @@ Cost cost_of(const render::PreparedScene& scene, const std::vector<sim::Track>& 
 int run(int argc, char** argv) {
     CLI::App app("What a room costs, compared with the table alone");
     Options options;
-    app.add_option("shot", options.shot, "The shot, with a set.")->required();
+    app.add_option("room", options.room, "A shot with a set.")->required();
+    app.add_option("alone", options.alone, "The same without.")->required();
     app.add_option("--samples", options.samples, "per pixel")->capture_default_str();
     app.add_option("--seeds", options.seeds, "pictures of each view")->capture_default_str();
     app.add_option("--width", options.width, "pixels")->capture_default_str();
     app.add_option("--cache", options.cache, "where the room's light is kept");
     CLI11_PARSE(app, argc, argv);
-    const pipeline::Shot shot = load(options);
-    sim::Bake bake;
-    bake.timeline = sim::bake(shot.world);
-    pipeline::add_keyed_motions(bake, shot);
-    const pipeline::FilmSource source(shot, bake.timeline);
-    const pipeline::FrameInputs inputs = source.inputs(0);
+    const Subject with(load(options.room, options));
+    const Subject without(load(options.alone, options));
     const pipeline::FrameStore store(
         (options.cache.empty() ? pipeline::default_cache_folder() : options.cache) + "/frames");
     const double begin = process_cpu_seconds();
-    const auto light = pipeline::far_light(shot.scene, &store, {});
-    std::printf("light of the room: %zu cells, %.1f MB, %.1f CPU s\n\n", light->cells().size(),
-                static_cast<double>(render::encoded(*light, "").size()) / 1e6,
+    const auto light = pipeline::far_light(with.shot.scene, &store, {});
+    std::printf("light of the room: %zu cells, %.1f MB, %.1f CPU s\n\n",
+                light ? light->cells().size() : 0,
+                light ? static_cast<double>(render::encoded(*light, "").size()) / 1e6 : 0.0,
                 process_cpu_seconds() - begin);
     std::fflush(stdout);
-    const render::PreparedScene room(shot.scene, shot.render, {}, light);
-    const render::PreparedScene alone(without_room(shot.scene), shot.render);
+    const render::PreparedScene room(with.shot.scene, with.shot.render, {}, light);
+    const render::PreparedScene alone(without.shot.scene, without.shot.render);
     std::printf(
         "| view | room CPU s | relMSE of the table | of all | alone CPU s | relMSE of the "
         "table | table at equal error | all of the room's picture |\n"
         "|---|---|---|---|---|---|---|---|\n");
     for (const View& view : kViews) {
-        render::FrameInput frame = inputs.frame;
+        render::FrameInput frame = with.inputs.frame;
         frame.camera_open = frame.camera_close =
             test::camera(view.position, view.target, view.fov * std::numbers::pi / 180);
-        const std::vector<bool> table = table_in(shot.scene, inputs.tracks, frame, shot.render);
-        const Cost in_room = cost_of(room, inputs.tracks, frame, shot.render, options.seeds, table);
+        const std::vector<bool> table =
+            table_in(with.shot.scene, with.inputs.tracks, frame, with.shot.render);
+        const Cost in_room =
+            cost_of(room, with.inputs.tracks, frame, with.shot.render, options.seeds, table);
         const Cost by_itself =
-            cost_of(alone, inputs.tracks, frame, shot.render, options.seeds, table);
+            cost_of(alone, without.inputs.tracks, frame, without.shot.render, options.seeds, table);
         const double unit = by_itself.seconds * by_itself.of_table;
         std::printf("| %s | %.2f | %.2e | %.2e | %.2f | %.2e | %.2f times | %.2f times |\n",
                     view.name, in_room.seconds, in_room.of_table, in_room.of_all, by_itself.seconds,

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/frame_key.h"
-#include "pipeline/store/own_key.h"
 #include "render/frame/bake_far_light.h"
 
 namespace carom::pipeline {
@@ -91,7 +90,7 @@ Hash128 far_light_key(const render::SceneDescription& scene) {
     render::SceneDescription still = scene;
     std::erase_if(still.objects,
                   [](const render::ObjectDescription& object) { return !object.track.empty(); });
-    return own_key(hash_scene(still));
+    return hash_scene(still);
 }
 
 std::shared_ptr<const FarLight> known_far_light(const render::SceneDescription& scene,

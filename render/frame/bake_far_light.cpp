@@ -11,11 +11,11 @@
 #include "core/error.h"
 #include "render/acceleration/flush_denormals.h"
 #include "render/frame/far_cells.h"
+#include "render/frame/far_panorama.h"
 #include "render/frame/frame.h"
 #include "render/frame/prepared_scene.h"
 #include "render/integrator/path_integrator.h"
 #include "render/integrator/workspace_pool.h"
-#include "render/light/scalar_kernels.h"
 #include "render/threads/thread_arena.h"
 
 namespace carom::render {
@@ -25,6 +25,7 @@ constexpr int kMaxBounces = 8;
 constexpr std::uint64_t kSeed = 0x63617234;
 constexpr float kAboveSurface = 5e-4F;  // m, where the rays to points begin
 constexpr std::size_t kCellsAtOnce = 64;
+constexpr std::size_t kPanoramaPixels = std::size_t{FarLight::kColumns} * FarLight::kColumns / 2;
 /// Where cells are looked for first, above the middle of the region's box.
 constexpr float kAboveBox = 0.3F;  // m
 
@@ -52,8 +53,8 @@ class StillScene {
           transport_{frame_, prepared_.data().materials, lights_, prepared_.data().object_count} {}
 
     [[nodiscard]] const TransportScene& transport() const { return transport_; }
-    [[nodiscard]] std::uint32_t white() const {
-        return static_cast<std::uint32_t>(transport_.materials.size() - 1);
+    [[nodiscard]] std::int32_t white() const {
+        return static_cast<std::int32_t>(transport_.materials.size() - 1);
     }
 
   private:
@@ -217,89 +218,6 @@ std::vector<FarLight::Cell> smoothed(const std::vector<FarPoints>& cells,
     return result;
 }
 
-/// Where the table is looked from, for `brightness_around`.
-std::vector<V3f> places_above(const FarRegion& region) {
-    constexpr float kPlaces[] = {0.15F, 0.5F, 0.85F};
-    std::vector<V3f> places;
-    for (const float x : kPlaces) {
-        for (const float y : kPlaces) {
-            const V3f low(region.low), high(region.high);
-            places.emplace_back(low.x + x * (high.x - low.x), low.y + y * (high.y - low.y),
-                                high.z + kAboveBox / 2);
-        }
-    }
-    return places;
-}
-
-/// The brightness of what is far by direction, the mean of that seen from a few places.
-std::vector<float> brightness_around(const TransportScene& scene, const FarRegion& region) {
-    constexpr int kColumns = FarLight::kColumns;
-    constexpr int kRows = kColumns / 2;
-    constexpr int kMost = 512;
-    SceneArena arena;
-    const WaveScene& wave_scene = make_wave_scene(
-        scene, [](WaveScene&, SceneArena&) {}, arena);
-    const FarSurfaces surfaces(scene);
-    const std::vector<V3f> places = places_above(region);
-    std::vector<float> brightness(std::size_t{kColumns} * kRows);
-    parallel_for(kRows, [&](std::size_t row) {
-        FarLookout lookout(scene, wave_scene, best_wave_kernels(), surfaces, kMost);
-        QueueMemory memory;
-        ShadowQueue rays;
-        memory.reserve_shadows(kColumns, 1, false, rays);
-        for (const V3f& place : places) {
-            begin_shadows(0, kColumns, 1, rays);
-            const float polar = kPi * (static_cast<float>(row) + 0.5F) / kRows;
-            const auto height = scalar::sin_cos<scalar::One>(polar);
-            for (int column = 0; column < kColumns; ++column) {
-                const float u = (static_cast<float>(column) + 0.5F) / kColumns;
-                const auto turn = scalar::sin_cos<scalar::One>(kTurn * (1.5F - u));
-                rays.origin.set(column, place);
-                rays.time.at[column] = 0;
-                rays.direction.set(
-                    column, V3f(height.sine * turn.cosine, height.sine * turn.sine, height.cosine)
-                                .normalized());
-                rays.t_max.at[column] = kFarDistance;
-                rays.radiance.set(column, V3f(1));
-            }
-            lookout.take(rays);
-            lookout.put_back(rays);
-            for (int column = 0; column < kColumns; ++column) {
-                if (rays.t_max.at[column] > 0) {
-                    brightness[row * kColumns + static_cast<std::size_t>(column)] +=
-                        luminance(rays.radiance.get(column)) / static_cast<float>(places.size());
-                }
-            }
-        }
-    });
-    return brightness;
-}
-
-/// Blurred, because other places of the table see it elsewhere, and nowhere 0.
-std::vector<float> softened(const std::vector<float>& brightness) {
-    constexpr int kColumns = FarLight::kColumns;
-    constexpr int kRows = kColumns / 2;
-    constexpr float kFloor = 0.2F;  // of the mean
-    float mean = 0;
-    std::vector<float> result;
-    for (int row = 0; row < kRows; ++row) {
-        for (int column = 0; column < kColumns; ++column) {
-            float sum = 0;
-            for (int k = 0; k < 9; ++k) {
-                const int y = std::clamp(row + k / 3 - 1, 0, kRows - 1);
-                const int x = (column + k % 3 - 1 + kColumns) % kColumns;
-                sum += brightness[static_cast<std::size_t>(y * kColumns + x)];
-            }
-            result.push_back(sum / 9);
-            mean += sum / (9.0F * kColumns * kRows);
-        }
-    }
-    for (float& value : result) {
-        value = mean > 0 ? (1 - kFloor) * value + kFloor * mean : 1;
-    }
-    return result;
-}
-
 }  // namespace
 
 std::shared_ptr<const FarLight> bake_far_light(const SceneDescription& scene,
@@ -313,12 +231,11 @@ std::shared_ptr<const FarLight> bake_far_light(const SceneDescription& scene,
         find_far_cells(transport, FarGrid(region), start, far_numbers(transport), context);
     std::vector<FarLight::Cell> baked =
         smoothed(cells, bake_cells(still, cells, region.samples, context));
-    const std::vector<float> even(std::size_t{FarLight::kColumns} * FarLight::kColumns / 2, 1.0F);
-    const FarLight light(region, baked, even);
+    const FarLight cells_alone(region, baked, std::vector<SharedExponent>(kPanoramaPixels));
     TransportScene with_light = transport;
-    with_light.far = &light;
+    with_light.far = &cells_alone;
     return std::make_shared<const FarLight>(region, std::move(baked),
-                                            softened(brightness_around(with_light, region)));
+                                            far_panorama(with_light, region));
 }
 
 }  // namespace carom::render

@@ -9,7 +9,7 @@
 namespace carom::render {
 
 /// Incremented whenever the light changes for the same scene.
-inline constexpr int kFarLightRevision = 1;
+inline constexpr int kFarLightRevision = 3;
 
 /// The light in the scene without what follows tracks; its far region must be given. Cells are
 /// found by rays from random places that can be reached from above the region's box, and the

@@ -92,7 +92,9 @@ class Walker {
         const SurfacePoint surface = scene_.frame.surface_at(ray, hit);
         const float distance = grid_.distance(surface.position);
         const float margin = 1.5F * grid_.side(grid_.level(distance));
-        if (!grid_.is_far(distance + margin)) {
+        const Imath::Box3f& near = grid_.near();
+        if (Imath::Box3f(near.min + V3f(margin), near.max - V3f(margin))
+                .intersects(surface.position)) {
             return;
         }
         const V3f& normal = surface.geometric_normal;

@@ -27,6 +27,11 @@ const CutOuts* cut_outs_of(const PreparedScene& scene) {
     return cut_outs ? &*cut_outs : nullptr;
 }
 
+const StaticGeometry* near_of(const PreparedScene& scene) {
+    const auto& near = scene.data().near;
+    return near ? &*near : nullptr;
+}
+
 }  // namespace
 
 FrameSession::FrameSession(const PreparedScene& scene, std::span<const sim::Track> tracks,
@@ -38,7 +43,7 @@ FrameSession::FrameSession(const PreparedScene& scene, std::span<const sim::Trac
       kind_(kind),
       sums_(sums),
       frame_scene_(checked(scene, frame, settings).geometry, tracks, frame.scene_open,
-                   frame.scene_close, cut_outs_of(scene)),
+                   frame.scene_close, cut_outs_of(scene), near_of(scene)),
       lights_(scene.data().lights.in_frame(frame_scene_.motions())),
       transport_{frame_scene_, scene.data().materials, lights_, scene.data().object_count,
                  scene.data().far.get()},

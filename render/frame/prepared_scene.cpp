@@ -139,7 +139,7 @@ PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettin
     for_each_at_once(2, [&](std::size_t part) {
         if (part == 0) {
             lights.emplace(scene.lights,
-                           far ? far->directions()
+                           far ? far->surroundings()
                                : nullptr);  // first, as it rejects what the geometry cannot hold
             geometry.emplace(scene, settings, std::move(maker));
         } else {
@@ -152,6 +152,9 @@ PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettin
         std::move(*lights),   static_cast<std::uint32_t>(scene.objects.size()),
         ray_branches(scene),  names_of(scene),
         std::move(far)};
+    if (data->far) {
+        data->near.emplace(data->geometry.within(data->far->grid().near()));
+    }
     if (std::ranges::any_of(data->materials, &Material::is_cut_out)) {
         data->cut_outs.emplace(data->materials);
     }

@@ -41,6 +41,7 @@ struct PreparedScene::Data {
     RayBranches branches;
     SceneNames names;
     std::shared_ptr<const FarLight> far{};      // if something is
+    std::optional<StaticGeometry> near{};       // likewise: what is in the near box
     std::optional<MaterialCutOuts> cut_outs{};  // likewise
 };
 

@@ -136,7 +136,8 @@ std::unique_ptr<AccelerationStructure> make_structure_of(const StaticGeometry::D
 }  // namespace
 
 FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
-                       double scene_open, double scene_close, const CutOuts* cut_outs)
+                       double scene_open, double scene_close, const CutOuts* cut_outs,
+                       const StaticGeometry* near)
     : data_(std::make_unique<Data>()) {
     CAROM_ASSERT(scene_open <= scene_close);
     const StaticGeometry::Data& shared = geometry.data();
@@ -156,6 +157,9 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
         }
     }
     structure_ = make_structure_of(shared, data_->motions);
+    if (near != nullptr) {
+        near_ = make_structure_of(near->data(), data_->motions);
+    }
     if (cut_outs == nullptr) {
         return;
     }
@@ -169,6 +173,10 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
     if (!bounds.isEmpty()) {
         whole_ = std::move(structure_);
         structure_ = std::make_unique<CutOutStructure>(*this, *cut_outs, *whole_, bounds);
+        if (near_) {
+            near_whole_ = std::move(near_);
+            near_ = std::make_unique<CutOutStructure>(*this, *cut_outs, *near_whole_, bounds);
+        }
     }
 }
 

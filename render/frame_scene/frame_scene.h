@@ -24,16 +24,19 @@ class CutOuts;         // render/frame_scene/cut_outs.h
 /// from `StaticGeometry`.
 class FrameScene {
   public:
-    /// `scene_open` <= `scene_close`, s of scene time. `geometry` and `cut_outs` (null: nothing is
-    /// cut out) outlive this object. Throws Error if an object names a track that is not among
-    /// `tracks`.
+    /// `scene_open` <= `scene_close`, s of scene time. `geometry`, `cut_outs` (null: nothing is cut
+    /// out) and `near` (null: the same; else a part of `geometry`) outlive this object. Throws
+    /// Error if an object names a track that is not among `tracks`.
     FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
-               double scene_open, double scene_close, const CutOuts* cut_outs = nullptr);
+               double scene_open, double scene_close, const CutOuts* cut_outs = nullptr,
+               const StaticGeometry* near = nullptr);
     ~FrameScene();
     FrameScene(const FrameScene&) = delete;
     FrameScene& operator=(const FrameScene&) = delete;
 
     [[nodiscard]] const AccelerationStructure& structure() const { return *structure_; }
+    /// Of what is near, if a part of the geometry is.
+    [[nodiscard]] const AccelerationStructure& near() const { return near_ ? *near_ : *structure_; }
     /// Of whole surfaces, whatever is cut out of them.
     [[nodiscard]] const AccelerationStructure& uncut() const {
         return whole_ ? *whole_ : *structure_;
@@ -77,6 +80,7 @@ class FrameScene {
     std::unique_ptr<Data> data_;
     std::unique_ptr<AccelerationStructure> whole_;  // if some surfaces are cut out
     std::unique_ptr<AccelerationStructure> structure_;
+    std::unique_ptr<AccelerationStructure> near_whole_, near_;  // likewise, of what is near
 };
 
 }  // namespace carom::render

@@ -106,11 +106,37 @@ Imath::Box3f bounds_of_mesh(const SceneObject& object) {
     return {box.min - margin, box.max + margin};
 }
 
-void add_meshes(StaticGeometry::Data& data) {
+/// Around a static shape that is not a mesh.
+Imath::Box3f bounds_of_shape(const SceneObject& object) {
+    if (object.kind == ShapeKind::plane) {
+        Imath::Box3f all;
+        all.makeInfinite();
+        return all;
+    }
+    V3f half(1);
+    visit_shape(object.kind, [&](auto shape) { half = shape.half_size(object.parameters); });
+    const Affine& map = object.frame.world_from_unit;
+    V3f reach(0);
+    for (int row = 0; row < 3; ++row) {
+        for (int k = 0; k < 3; ++k) {
+            reach[k] += std::abs(map.linear[row][k]) * half[row];
+        }
+    }
+    return {map.translation - reach, map.translation + reach};
+}
+
+/// Which static objects rays meet; null: all.
+using IsMet = std::function<bool(const SceneObject&)>;
+
+bool meets(const IsMet& is_met, const SceneObject& object) {
+    return object.is_tracked() || !is_met || is_met(object);
+}
+
+void add_meshes(StaticGeometry::Data& data, const IsMet& is_met) {
     std::map<const TriangleMesh*, std::shared_ptr<const TriangleTree>> trees;
     for (std::uint32_t i = 0; i < data.objects.size(); ++i) {
         const SceneObject& object = data.objects[i];
-        if (object.kind != ShapeKind::mesh) {
+        if (object.kind != ShapeKind::mesh || !meets(is_met, object)) {
             continue;
         }
         if (!object.is_tracked() && !object.mesh_is_mapped) {
@@ -157,6 +183,27 @@ void add_static_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t
     }
 }
 
+namespace {
+
+void add_trees(StaticGeometry::Data& data, const IsMet& is_met) {
+    add_meshes(data, is_met);
+    for (std::uint32_t i = 0; i < data.objects.size(); ++i) {
+        const SceneObject& object = data.objects[i];
+        if (!object.is_tracked() && object.kind != ShapeKind::mesh && meets(is_met, object)) {
+            add_static_shape(data.static_shapes, object, i, object.frame);
+        }
+    }
+    if (!data.maker && loop_cost(data.static_shapes) >= kTreeThreshold) {
+        data.static_tree =
+            std::make_shared<const AnalyticTree>(make_analytic_tree(data.static_shapes));
+        data.outside_tree = infinite_shapes(data.static_shapes);
+        data.outside_tree.instances = data.static_shapes.instances;
+        data.outside_tree.meshes = data.static_shapes.meshes;
+    }
+}
+
+}  // namespace
+
 StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettings& settings,
                                StructureMaker maker) {
     if (settings.acceleration != kOwnStructure && !maker) {
@@ -166,21 +213,22 @@ StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettin
     auto data = std::make_unique<Data>();
     data->maker = std::move(maker);
     add_objects(*data, scene);
-    add_meshes(*data);
-    for (std::uint32_t i = 0; i < data->objects.size(); ++i) {
-        const SceneObject& object = data->objects[i];
-        if (!object.is_tracked() && object.kind != ShapeKind::mesh) {
-            add_static_shape(data->static_shapes, object, i, object.frame);
-        }
-    }
-    if (!data->maker && loop_cost(data->static_shapes) >= kTreeThreshold) {
-        data->static_tree =
-            std::make_shared<const AnalyticTree>(make_analytic_tree(data->static_shapes));
-        data->outside_tree = infinite_shapes(data->static_shapes);
-        data->outside_tree.instances = data->static_shapes.instances;
-        data->outside_tree.meshes = data->static_shapes.meshes;
-    }
+    add_trees(*data, {});
     data_ = std::move(data);
+}
+
+StaticGeometry::StaticGeometry(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
+
+StaticGeometry StaticGeometry::within(const Imath::Box3f& box) const {
+    auto data = std::make_unique<Data>();
+    data->maker = data_->maker;
+    data->objects = data_->objects;
+    data->object_of_light = data_->object_of_light;
+    add_trees(*data, [&](const SceneObject& object) {
+        return box.intersects(object.kind == ShapeKind::mesh ? bounds_of_mesh(object)
+                                                             : bounds_of_shape(object));
+    });
+    return StaticGeometry(std::move(data));
 }
 
 StaticGeometry::~StaticGeometry() = default;

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include <Imath/ImathBox.h>
+
 #include "render/acceleration/structure_maker.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -50,10 +52,15 @@ class StaticGeometry {
     /// Index in SceneDescription::materials; kNoMaterial for lights.
     [[nodiscard]] std::uint32_t material_of_object(std::uint32_t object) const;
 
+    /// The same objects, but rays meet only those whose bounds meet the box, and what follows
+    /// tracks.
+    [[nodiscard]] StaticGeometry within(const Imath::Box3f& box) const;
+
     struct Data;
     [[nodiscard]] const Data& data() const { return *data_; }
 
   private:
+    explicit StaticGeometry(std::unique_ptr<const Data> data);
     std::unique_ptr<const Data> data_;
 };
 

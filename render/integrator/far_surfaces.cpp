@@ -12,8 +12,8 @@ namespace {
 constexpr float kGlossOfAll = 0.092F;
 /// Metals are followed.
 constexpr float kMostMetal = 0.5F;
-/// The rays' width at distance 1: what is seen of far textures is blurred.
-constexpr float kSpread = 0.1F;
+/// The length of rays that do not meet the near box, m: nothing occludes them.
+constexpr float kNoWay = 1e-6F;
 
 /// The largest value of a number. `constant`: in materials that do not vary.
 float most_of(const Material& material, TexturedNumber which, float constant) {
@@ -88,73 +88,66 @@ V3f FarSurfaces::whole(const SurfaceQueue& vertices, int vertex) const {
     return albedo * irradiance(vertices, vertex) * kInversePi;
 }
 
-FarLookout::FarLookout(const TransportScene& scene, const WaveScene& wave_scene,
-                       const WaveKernels& kernels, const FarSurfaces& surfaces, int most)
-    : scene_(scene),
-      surfaces_(surfaces),
-      hits_(scene, wave_scene, kernels, most),
-      numbers_(wave_scene.materials.varies ? std::size_t{kTexturedNumbers} : 0),
-      most_(most) {
-    memory_.reserve(most, rays_, found_, on_surfaces_);
-    for (Floats& number : numbers_) {
-        memory_.reserve(most, number);
-    }
-    found_.numbers = numbers_.empty() ? nullptr : numbers_.data();
-    rays_.vertex = 1;
-}
-
-void FarLookout::take(const ShadowQueue& shadows) {
-    taken_.clear();
+void FarShadows::sort(const ShadowQueue& shadows) {
+    const FarGrid& grid = scene_.far->grid();
+    const bool has_origins = shadows.ray_origin.x.at != nullptr;
+    to_surroundings_.clear();
+    to_lamps_.clear();
     for (int k = 0; k < shadows.rays; ++k) {
         for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {
             const int place = shadows.place(k, vertex);
             float& t = shadows.t_max.at[place];
+            if (!(t > 0)) {
+                continue;
+            }
+            const V3f origin =
+                has_origins ? shadows.ray_origin.get(place) : shadows.origin.get(vertex);
+            const float out = grid.way_out(origin, shadows.direction.get(place));
             if (t > kLeastFarDistance && t < kInfinity) {
-                taken_.push_back({place, vertex});
-                t = 0;
+                to_surroundings_.push_back({place, vertex});
+                t = std::max(out, kNoWay);
+            } else if (t > out) {
+                to_lamps_.push_back({place, vertex});
             }
         }
     }
 }
 
-void FarLookout::put_back(const ShadowQueue& shadows) {
-    for (std::size_t first = 0; first < taken_.size(); first += static_cast<std::size_t>(most_)) {
-        trace(shadows, first);
+void FarShadows::trace(const ShadowQueue& shadows) {
+    sort(shadows);
+    trace_shadows(scene_.frame.near(), shadows);
+    for (const Taken& ray : to_surroundings_) {
+        float& t = shadows.t_max.at[ray.place];
+        t = t > 0 ? kInfinity : 0;
     }
+    std::erase_if(to_lamps_, [&](const Taken& ray) { return !(shadows.t_max.at[ray.place] > 0); });
+    trace_to_lamps(shadows);
 }
 
-void FarLookout::trace(const ShadowQueue& shadows, std::size_t first) {
+void FarShadows::trace_to_lamps(const ShadowQueue& shadows) {
     const bool has_origins = shadows.ray_origin.x.at != nullptr;
-    rays_.count =
-        static_cast<int>(std::min(taken_.size() - first, static_cast<std::size_t>(most_)));
-    const Taken* const taken = taken_.data() + first;
-    for (int i = 0; i < rays_.count; ++i) {
-        const auto [place, vertex] = taken[i];
-        rays_.origin.set(i,
-                         has_origins ? shadows.ray_origin.get(place) : shadows.origin.get(vertex));
-        rays_.direction.set(i, shadows.direction.get(place));
-        rays_.time.at[i] = shadows.time.at[vertex];
-        rays_.throughput.set(i, V3f(1));
-        rays_.cone_width.at[i] = 0;
-        rays_.cone_spread.at[i] = kSpread;
+    for (std::vector<float>& numbers : rays_) {
+        numbers.resize(std::max(numbers.size(), to_lamps_.size() + RayBatch::kBeyond));
     }
-    const auto arrives = [&](int ray, const V3f& light) {
-        const int place = taken[ray].place;
-        shadows.radiance.set(place, shadows.radiance.get(place) * light);
-        shadows.t_max.at[place] = 1;
-    };
-    const Hit* const hits = hits_.trace(rays_);
-    on_surfaces_.count = 0;
-    for (int i = 0; i < rays_.count; ++i) {
-        if (hits[i].object == kNoObject) {
-            arrives(i, scene_.lights.environment().radiance(rays_.direction.get(i)));
-        } else if (surfaces_.is_far(rays_.origin.get(i), rays_.direction.get(i), hits[i])) {
-            on_surfaces_.add(i);
+    for (std::size_t i = 0; i < to_lamps_.size(); ++i) {
+        const auto [place, vertex] = to_lamps_[i];
+        const V3f origin = has_origins ? shadows.ray_origin.get(place) : shadows.origin.get(vertex);
+        const V3f direction = shadows.direction.get(place);
+        for (int axis = 0; axis < 3; ++axis) {
+            rays_[static_cast<std::size_t>(axis)][i] = origin[axis];
+            rays_[static_cast<std::size_t>(axis) + 3][i] = direction[axis];
         }
+        rays_[6][i] = shadows.time.at[vertex];
+        rays_[7][i] = shadows.t_max.at[place];
     }
-    hits_.find(rays_, on_surfaces_, found_);
-    for (int i = 0; i < found_.count; ++i) {
-        arrives(found_.path.at[i], surfaces_.whole(found_, i));
+    scene_.frame.structure().test_occlusion({static_cast<int>(to_lamps_.size()),
+                                             {rays_[0].data(), rays_[1].data(), rays_[2].data()},
+                                             {rays_[3].data(), rays_[4].data(), rays_[5].data()},
+                                             rays_[6].data(),
+                                             RayKind::shadow},
+                                            rays_[7].data());
+    for (std::size_t i = 0; i < to_lamps_.size(); ++i) {
+        shadows.t_max.at[to_lamps_[i].place] = rays_[7][i];
     }
 }
 

@@ -1,6 +1,7 @@
 // Surfaces whose light is known: paths end on them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,11 +11,11 @@ namespace carom::render {
 
 /// Static surfaces in a scene's far region whose materials scatter mostly diffusely; glass, metal
 /// and phong materials there are followed like near ones. What arrives at the surface is
-/// interpolated (FarLight); its colour and its own emission are exact.
+/// interpolated (FarLight); its colour and its own emission are exact. They are seen by the camera
+/// and in mirrors, where their gloss is followed one vertex further.
 ///
-/// A path that scattered diffusely before takes the light that such a surface reflects, its gloss
-/// as if it were diffuse, and ends. Of what the camera sees, directly or in a mirror, the gloss is
-/// followed one vertex further.
+/// Paths that scattered before do not look for them: beyond the near box they find the panorama, as
+/// if the room were an environment, and there all lamps are sampled.
 class FarSurfaces {
   public:
     /// The scene outlives it.
@@ -44,35 +45,26 @@ class FarSurfaces {
 /// By object: the number that FarLight gives it; -1: its surfaces are never far.
 [[nodiscard]] std::vector<std::int32_t> far_numbers(const TransportScene& scene);
 
-/// Adds what far surfaces and the environment send along shadow rays that look for them.
-class FarLookout {
+/// Traces shadow rays in a scene with far light: those to the surroundings as far as the near box,
+/// those to far lamps against everything. For one thread.
+class FarShadows {
   public:
-    /// Everything outlives it. `most`: rays that are traced together.
-    FarLookout(const TransportScene& scene, const WaveScene& wave_scene, const WaveKernels& kernels,
-               const FarSurfaces& surfaces, int most);
+    /// Outlived by the scene.
+    explicit FarShadows(const TransportScene& scene) : scene_(scene) {}
 
-    /// Takes those rays out of `shadows`, and remembers them.
-    void take(const ShadowQueue& shadows);
-    /// Puts the taken rays back, with what arrives; those without light stay out. Adds to the
-    /// number of closest hits.
-    void put_back(const ShadowQueue& shadows);
+    /// As trace_shadows (wave/queue_memory.h).
+    void trace(const ShadowQueue& shadows);
 
   private:
-    void trace(const ShadowQueue& shadows, std::size_t first);
+    void sort(const ShadowQueue& shadows);
+    void trace_to_lamps(const ShadowQueue& shadows);
 
     const TransportScene& scene_;
-    const FarSurfaces& surfaces_;
-    HitSurfaces hits_;
-    PathQueue rays_;
-    SurfaceQueue found_;
-    IndexList on_surfaces_;
-    std::vector<Floats> numbers_;
-    QueueMemory memory_;
-    int most_;
     struct Taken {
         int place, vertex;
     };
-    std::vector<Taken> taken_;
+    std::vector<Taken> to_surroundings_, to_lamps_;
+    std::array<std::vector<float>, 8> rays_;
 };
 
 }  // namespace carom::render

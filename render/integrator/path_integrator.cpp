@@ -61,7 +61,7 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
     for (const Material& material : scene.materials) {
         roughness_.push_back(std::sqrt(material.numbers().alpha));
     }
-    if (!scene.lights.directions().is_sampled()) {
+    if (scene.far == nullptr && !scene.lights.directions().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
     }
     // A first vertex continues in all directions of its coat and one of its base, each of which may
@@ -176,7 +176,10 @@ void PathIntegrator::process_hits(Wave& wave) const {
     wave.far_paths.count = 0;
     for (int i = 0; i < paths.count; ++i) {
         const Hit& hit = hits[i];
-        if (hit.object == kNoObject) {
+        if (hit.object == kNoObject && far_surfaces_.exist() && paths.is_delta.at[i] != 0) {
+            wave.add_light(i, paths.throughput.get(i) *
+                                  scene_.lights.environment().radiance(paths.direction.get(i)));
+        } else if (hit.object == kNoObject) {
             wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
             add_hit_light(i, hit, wave);
@@ -224,11 +227,8 @@ void PathIntegrator::add_misses(Wave& wave) const {
     }
     for (int k = 0; k < missed.count; ++k) {
         const int path = missed.at.at[k];
-        V3f light = wave_scene_.has_sky ? wave.missed.light.get(k)
-                                        : paths.throughput.get(path) * constant_sky_;
-        if (far_surfaces_.exist()) {
-            light *= scene_.lights.environment().radiance(paths.direction.get(path));
-        }
+        const V3f light = wave_scene_.has_sky ? wave.missed.light.get(k)
+                                              : paths.throughput.get(path) * constant_sky_;
         wave.add_light(path, light);
     }
 }
@@ -236,7 +236,7 @@ void PathIntegrator::add_misses(Wave& wave) const {
 // Otherwise the path has ended.
 bool PathIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
                                     Wave& wave) const {
-    if ((traits & kEmits) != 0 && !(settings_.white && wave.vertex == 0)) {
+    if ((traits & kEmits) != 0 && !(settings_.white >= 0 && wave.vertex == 0)) {
         add_emission(path, hit, wave);
     }
     if (wave.vertex == 0 && (traits & kHasGloss) != 0) {
@@ -345,14 +345,12 @@ void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
         return;
     }
     count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
-    if (wave.lookout) {
-        wave.lookout->take(shadows);
+    if (wave.far_shadows) {
+        wave.far_shadows->trace(shadows);
+    } else {
+        render::trace_shadows(scene_.frame.structure(), shadows);
     }
-    render::trace_shadows(scene_.frame.structure(), shadows);
     varying_emitters_.correct(shadows);
-    if (wave.lookout) {
-        wave.lookout->put_back(shadows);
-    }
     kernels_->sum_light(shadows);
     CAROM_VALIDATE(is_valid(shadows));
     for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {

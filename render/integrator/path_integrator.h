@@ -53,7 +53,6 @@ class PathIntegrator final : public Integrator {
     void note_first_surfaces(const SurfaceQueue& vertices, Wave& wave) const;
     static void note_mirrored_surfaces(Wave& wave);
     [[nodiscard]] bool is_seen_gloss(int path, const Hit& hit, Wave& wave) const;
-    [[nodiscard]] float weight_of_direction(int path, const PathQueue& paths) const;
     void add_far_ends(Wave& wave) const;
     void add_far_vertices(Wave& wave) const;
     void whiten(Wave& wave) const;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 namespace carom::render {
 
@@ -22,9 +21,9 @@ struct PathSettings {
     /// [1, 16]: where small bright things are visible in the coat, one of each is too noisy.
     int glossy_samples = 4;
     DirectStrategy strategy = DirectStrategy::both;
-    /// If given, the camera sees every surface with this material, which is white and diffuse, and
+    /// If >= 0, the camera sees every surface with this material, which is white and diffuse, and
     /// no emission: the radiance is the irradiance over pi.
-    std::optional<std::uint32_t> white{};
+    std::int32_t white = -1;
     bool caustics = true;  // sampled by connection; otherwise found by chance, with the same mean
 };
 

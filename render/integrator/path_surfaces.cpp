@@ -61,23 +61,10 @@ void PathIntegrator::add_far_ends(Wave& wave) const {
     if (wave.vertex == 0) {
         note_first_surfaces(ends, wave);
     }
-    const bool has_sky = wave_scene_.has_sky;
     for (int i = 0; i < ends.count; ++i) {
         const int path = ends.path.at[i];
-        const float weight = has_sky ? weight_of_direction(path, paths) : 1.0F;
-        wave.add(path, paths.throughput.get(path) * far_surfaces_.whole(ends, i) * weight,
-                 wave.vertex);
+        wave.add(path, paths.throughput.get(path) * far_surfaces_.whole(ends, i), wave.vertex);
     }
-}
-
-// Multiple importance sampling of a path that found what shadow rays look for in the directions of
-// the sky.
-float PathIntegrator::weight_of_direction(int path, const PathQueue& paths) const {
-    using scalar::One;
-    const V3f direction = paths.direction.get(path);
-    const float pdf = scalar::environment_pdf<One>(
-        wave_scene_.sky, direction, scalar::environment_uv<One>(wave_scene_.sky, direction));
-    return scalar::weight_of_environment<One>(wave_scene_, paths, path, pdf);
 }
 
 // Those whose gloss is seen: the vertex adds what is diffuse, and only its gloss continues.
@@ -102,12 +89,12 @@ void PathIntegrator::add_far_vertices(Wave& wave) const {
 
 // See PathSettings::white.
 void PathIntegrator::whiten(Wave& wave) const {
-    if (!settings_.white) {
+    if (settings_.white < 0) {
         return;
     }
     const SurfaceQueue& vertices = wave.vertices;
     for (int i = 0; i < vertices.count; ++i) {
-        vertices.material.at[i] = static_cast<std::int32_t>(*settings_.white);
+        vertices.material.at[i] = settings_.white;
         vertices.base.set(i, V3f(1));
         vertices.normal.set(i, vertices.geometric_normal.get(i));
         for (int number = 0; vertices.numbers != nullptr && number < kTexturedNumbers; ++number) {

@@ -38,7 +38,7 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
     // Paths that end on far surfaces, and where.
     IndexList far_paths;
     SurfaceQueue far_ends;
-    std::optional<FarLookout> lookout;
+    std::optional<FarShadows> far_shadows;
     std::vector<Sample> from_camera;
     BranchSums sums;
     Floats3 mirrored;  // by path
@@ -51,8 +51,7 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
         const WaveScene& scene = integrator.wave_scene_;
         if (integrator.far_surfaces_.exist()) {
             memory.reserve(integrator.most_paths_, far_paths, far_ends);
-            lookout.emplace(integrator.scene_, scene, *integrator.kernels_,
-                            integrator.far_surfaces_, integrator.most_paths_);
+            far_shadows.emplace(integrator.scene_);
         }
         memory.reserve(integrator.most_paths_, of_even_vertices, of_odd_vertices, scattered,
                        vertices, near_spheres, missed, hit_paths, mirrored);

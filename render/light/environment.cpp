@@ -22,37 +22,31 @@ Environment::Environment(const EnvironmentLight& light)
     if (light.image.empty() && !light.sky) {
         return;
     }
-    pad(light.sky ? sky_picture(*light.sky) : read_linear_image(light.image, false));
-    distribute(width_, height_, [this](int x, int y) { return cell_brightness(x, y); });
-    mean_luminance_ *= luminance(scale_);
+    show(light.sky ? sky_picture(*light.sky) : read_linear_image(light.image, false));
 }
 
-Environment::Environment(const std::vector<float>& brightness, int columns) : scale_(1) {
-    pad({1, 1, {V3f(1)}});
-    distribute(columns, columns / 2, [&](int x, int y) {
-        return brightness[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
-                          static_cast<std::size_t>(x)];
-    });
+Environment::Environment(const LinearImage& picture) : scale_(1) {
+    show(picture);
 }
 
-template <class Brightness>
-void Environment::distribute(int width, int height, const Brightness& brightness) {
+void Environment::show(const LinearImage& picture) {
+    pad(picture);
     // A table of at most 256 columns stays in the processor's cache; a finer table costs more time
     // than its better fit saves.
-    const int block = (width + kMostColumns - 1) / kMostColumns;
-    const int columns = (width + block - 1) / block;
-    const int rows = (height + block - 1) / block;
+    const int block = (width_ + kMostColumns - 1) / kMostColumns;
+    const int columns = (width_ + block - 1) / block;
+    const int rows = (height_ + block - 1) / block;
     std::vector<float> weights(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     double sum = 0;
     double area = 0;
-    for (int y = 0; y < height; ++y) {
-        const float latitude = (static_cast<float>(y) + 0.5f) / static_cast<float>(height);
+    for (int y = 0; y < height_; ++y) {
+        const float latitude = (static_cast<float>(y) + 0.5f) / static_cast<float>(height_);
         const float sine = scalar::sin_cos<scalar::One>(kPi * latitude).sine;
-        for (int x = 0; x < width; ++x) {
-            const float weight = brightness(x, y) * sine;
+        for (int x = 0; x < width_; ++x) {
+            const float weight = cell_brightness(x, y) * sine;
             // The cell of the table that contains the pixel's centre.
-            const int column = (2 * x + 1) * columns / (2 * width);
-            const int row = (2 * y + 1) * rows / (2 * height);
+            const int column = (2 * x + 1) * columns / (2 * width_);
+            const int row = (2 * y + 1) * rows / (2 * height_);
             weights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                     static_cast<std::size_t>(column)] += weight;
             sum += weight;
@@ -60,7 +54,7 @@ void Environment::distribute(int width, int height, const Brightness& brightness
         }
     }
     distribution_ = Distribution2D(weights, columns, rows);
-    mean_luminance_ = static_cast<float>(sum / area);
+    mean_luminance_ = static_cast<float>(sum / area) * luminance(scale_);
 }
 
 V3f Environment::pixel(int x, int y) const {

@@ -22,10 +22,8 @@ class Environment {
     /// Throws Error if the picture cannot be read.
     explicit Environment(const EnvironmentLight& light);
 
-    /// Of radiance 1 in all directions, which are sampled by the brightness of an equirectangular
-    /// picture: `columns` times as many values as there are columns / 2, row by row, >= 0 and
-    /// positive somewhere.
-    Environment(const std::vector<float>& brightness, int columns);
+    /// An equirectangular picture of radiance.
+    explicit Environment(const LinearImage& picture);
 
     [[nodiscard]] V3f radiance(const V3f& direction) const;
 
@@ -45,9 +43,7 @@ class Environment {
     [[nodiscard]] V3f pixel(int x, int y) const;
     void pad(const LinearImage& image);
     [[nodiscard]] float cell_brightness(int x, int y) const;
-    /// By the brightness of pixels.
-    template <class Brightness>
-    void distribute(int width, int height, const Brightness& brightness);
+    void show(const LinearImage& picture);
 
     V3f scale_{0, 0, 0};
     int width_ = 0;  // of the picture, pixels

@@ -37,7 +37,8 @@ std::uint64_t place_bits(int place) {
 FarGrid::FarGrid(const FarRegion& region)
     : centre_(0.5 * (region.low + region.high)),
       half_size_(0.5 * (region.high - region.low)),
-      distance_(static_cast<float>(region.distance)),
+      near_(V3f(region.low) - V3f(static_cast<float>(region.distance)),
+            V3f(region.high) + V3f(static_cast<float>(region.distance))),
       cell_(static_cast<float>(region.cell)),
       growth_(static_cast<float>(region.cell_growth)) {}
 
@@ -47,6 +48,24 @@ float FarGrid::distance(const V3f& position) const {
                       std::max(std::abs(d.y) - half_size_.y, 0.0F),
                       std::max(std::abs(d.z) - half_size_.z, 0.0F));
     return outside.length();
+}
+
+float FarGrid::way_out(const V3f& origin, const V3f& direction) const {
+    float in = 0;
+    float out = kInfinity;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (direction[axis] == 0) {
+            if (origin[axis] < near_.min[axis] || origin[axis] > near_.max[axis]) {
+                return 0;
+            }
+            continue;
+        }
+        const float a = (near_.min[axis] - origin[axis]) / direction[axis];
+        const float b = (near_.max[axis] - origin[axis]) / direction[axis];
+        in = std::max(in, std::min(a, b));
+        out = std::min(out, std::max(a, b));
+    }
+    return in < out ? out : 0;
 }
 
 int FarGrid::level(float distance) const {
@@ -85,12 +104,25 @@ int FarGrid::face(const V3f& normal) {
     return 2 * axis + (normal[axis] < 0 ? 1 : 0);
 }
 
-FarLight::FarLight(const FarRegion& region, std::vector<Cell> cells, std::vector<float> brightness)
+namespace {
+
+LinearImage picture_of(const std::vector<SharedExponent>& panorama) {
+    LinearImage image{FarLight::kColumns, FarLight::kColumns / 2, {}};
+    for (const SharedExponent& pixel : panorama) {
+        image.pixels.push_back(pixel.value());
+    }
+    return image;
+}
+
+}  // namespace
+
+FarLight::FarLight(const FarRegion& region, std::vector<Cell> cells,
+                   std::vector<SharedExponent> panorama)
     : grid_(region),
       cells_(std::move(cells)),
-      brightness_(std::move(brightness)),
-      directions_(std::make_shared<const Environment>(brightness_, kColumns)) {
-    CAROM_ASSERT(brightness_.size() == std::size_t{kColumns} * kColumns / 2);
+      panorama_(std::move(panorama)),
+      surroundings_(std::make_shared<const Environment>(picture_of(panorama_))) {
+    CAROM_ASSERT(panorama_.size() == std::size_t{kColumns} * kColumns / 2);
     make_table();
     add_means();
 }

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Imath/ImathBox.h>
+
 #include "render/geometry/ray.h"
 #include "render/light/environment.h"
 #include "render/light/shared_exponent.h"
@@ -27,9 +29,11 @@ class FarGrid {
 
     /// From the region's box, m.
     [[nodiscard]] float distance(const V3f& position) const;
-    /// Whether what is at this distance, m, or place is far.
-    [[nodiscard]] bool is_far(float distance) const { return distance > distance_; }
-    [[nodiscard]] bool is_far(const V3f& position) const { return is_far(distance(position)); }
+    /// What is not in this box is far: the region's box, wider by its distance on all sides.
+    [[nodiscard]] const Imath::Box3f& near() const { return near_; }
+    [[nodiscard]] bool is_far(const V3f& position) const { return !near_.intersects(position); }
+    /// The distance from the origin at which a ray leaves that box; 0 if it does not meet it.
+    [[nodiscard]] float way_out(const V3f& origin, const V3f& direction) const;
     /// The logarithm to base 2 of the side of cells there, in units of FarRegion::cell.
     [[nodiscard]] int level(float distance) const;
     [[nodiscard]] float side(int level) const { return cell_ * static_cast<float>(1 << level); }
@@ -50,7 +54,8 @@ class FarGrid {
 
   private:
     V3f centre_, half_size_;
-    float distance_, cell_, growth_;
+    Imath::Box3f near_;
+    float cell_, growth_;
 };
 
 /// Irradiance by cell. Immutable. Objects are numbered as in the scene, without those that follow
@@ -70,23 +75,24 @@ class FarLight {
             return key == other.key && irradiance.bits() == other.irradiance.bits();
         }
     };
-    static constexpr int kColumns = 128;  // of the brightness by direction; half as many rows
+    static constexpr int kColumns = 256;  // of the panorama; half as many rows
 
-    /// `cells`: sorted by key, each once. `brightness`: of far surfaces and the environment as seen
-    /// from the table, as the picture of an environment; lamps are left out.
-    FarLight(const FarRegion& region, std::vector<Cell> cells, std::vector<float> brightness);
+    /// `cells`: sorted by key, each once. `panorama`: radiance of far surfaces and the environment
+    /// and lamps as seen from the table, as the picture of an environment.
+    FarLight(const FarRegion& region, std::vector<Cell> cells,
+             std::vector<SharedExponent> panorama);
 
     [[nodiscard]] const FarGrid& grid() const { return grid_; }
     /// On an object's surface, W/m^2, interpolated between cells; `normal`: unit, on the side from
     /// which the light comes. Where no cell is near, the mean of the object, or of all.
     [[nodiscard]] V3f irradiance(std::uint32_t object, const V3f& position,
                                  const V3f& normal) const;
-    /// Its directions are sampled in search of far surfaces.
-    [[nodiscard]] const std::shared_ptr<const Environment>& directions() const {
-        return directions_;
+    /// What scattered light finds beyond the near box.
+    [[nodiscard]] const std::shared_ptr<const Environment>& surroundings() const {
+        return surroundings_;
     }
     [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-    [[nodiscard]] const std::vector<float>& brightness() const { return brightness_; }
+    [[nodiscard]] const std::vector<SharedExponent>& panorama() const { return panorama_; }
 
   private:
     struct Mean {
@@ -106,12 +112,12 @@ class FarLight {
 
     FarGrid grid_;
     std::vector<Cell> cells_;
-    std::vector<float> brightness_;
+    std::vector<SharedExponent> panorama_;
     std::vector<std::uint32_t> table_;  // places in cells_, by hash; kNoCell: none
     std::uint64_t mask_ = 0;
     std::vector<V3f> mean_of_object_;
     V3f mean_of_all_{0, 0, 0};
-    std::shared_ptr<const Environment> directions_;
+    std::shared_ptr<const Environment> surroundings_;
 };
 
 /// The light as bytes, with the number of its inputs.

@@ -1,4 +1,3 @@
-#include <bit>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -9,7 +8,7 @@
 namespace carom::render {
 namespace {
 
-// The inputs' number, the cells and the brightness by direction, and the hash of all that. Numbers
+// The inputs' number, the cells and the panorama, and the hash of all that. Numbers
 // are little endian or in groups of seven bits, the lowest first, with a bit more if another group
 // follows; keys are differences from the key before.
 constexpr std::string_view kBeginning = "carom far light 1\n";
@@ -95,8 +94,8 @@ std::string encoded(const FarLight& light, std::string_view inputs) {
     for (const FarLight::Cell& cell : light.cells()) {
         out.word(cell.irradiance.bits());
     }
-    for (const float brightness : light.brightness()) {
-        out.word(std::bit_cast<std::uint32_t>(brightness));
+    for (const SharedExponent& pixel : light.panorama()) {
+        out.word(pixel.bits());
     }
     std::string bytes = out.take();
     return bytes + checksum(bytes);
@@ -124,11 +123,11 @@ std::shared_ptr<const FarLight> decoded(std::string_view bytes, std::string_view
     for (FarLight::Cell& cell : cells) {
         cell.irradiance = SharedExponent::of_bits(in.word());
     }
-    std::vector<float> brightness(std::size_t{FarLight::kColumns} * FarLight::kColumns / 2);
-    for (float& value : brightness) {
-        value = std::bit_cast<float>(in.word());
+    std::vector<SharedExponent> panorama(std::size_t{FarLight::kColumns} * FarLight::kColumns / 2);
+    for (SharedExponent& pixel : panorama) {
+        pixel = SharedExponent::of_bits(in.word());
     }
-    return std::make_shared<const FarLight>(region, std::move(cells), std::move(brightness));
+    return std::make_shared<const FarLight>(region, std::move(cells), std::move(panorama));
 }
 
 }  // namespace carom::render

@@ -9,7 +9,7 @@
   bottle_1 .. 4      bottles; tumbler: a glass that stands upside down; their origin is the middle of their foot
   stool_seat, stool_foot
                      a bar stool, 0.76 m high, standing at its origin
-  shade, shade_inside
+  enamel, enamel_inside
                      a lamp shade of enamel, 0.4 m wide, whose opening's middle is the origin
   sconce             a half bowl on a wall that faces +y
 
@@ -161,9 +161,9 @@ def main():
     lathe(foot, 24).write(folder, "stool_foot", "The foot of a bar stool")
     outside = [(0.200, 0.0), (0.202, 0.004), (0.196, 0.012), (0.150, 0.085), (0.095, 0.135), (0.050, 0.160), (0.036, 0.185),
                (0.036, 0.215), (0.0, 0.220)]
-    lathe(outside, 40).write(folder, "shade", "A lamp shade")
+    lathe(outside, 40).write(folder, "enamel", "A lamp shade")
     inside = [(0.0, 0.150), (0.050, 0.147), (0.092, 0.130), (0.147, 0.082), (0.193, 0.011), (0.200, 0.0)]
-    lathe(inside, 40).write(folder, "shade_inside", "The inside of a lamp shade")
+    lathe(inside, 40).write(folder, "enamel_inside", "The inside of a lamp shade")
     bowl = [(0.0, 0.0)] + arc(0.0, 0.15, 0.15, -86, -4, 7) + [(0.150, 0.156), (0.143, 0.156)] + arc(0.0, 0.15, 0.143, -4, -86, 7)
     lathe(bowl, 20, 0.5).write(folder, "sconce", "A half bowl")
 

@@ -11,7 +11,7 @@ void describe(NewCommand& command, CommandDescription& description) {
         .option("--template", &command.template_name, "NAME",
                 "The template: break (the default), trick, bank, massé (or masse), jump, dominoes "
                 "or empty.")
-        .one_of({"break", "trick", "bank", "massé", "masse", "jump", "dominoes", "empty"});
+        .one_of({"break", "trick", "bank", "massé", "masse", "jump", "dominoes", "set", "empty"});
     description.flag("--force", command.force, "Overwrite a file that exists.");
     description.examples = {{"carom new shot.yaml", "A break shot."},
                             {"carom new shot.yaml --template jump", "A jump shot."}};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "render/light/far_light.h"
+
 namespace carom::render {
 
 void begin_wave(const CameraRun& run, float pixel_spread, CameraSamples& samples,
@@ -39,8 +41,59 @@ HitSurfaces::HitSurfaces(const TransportScene& scene, const WaveScene& wave_scen
       hits_(static_cast<std::size_t>(most_paths + kBeyondQueue)) {}
 
 const Hit* HitSurfaces::trace(const PathQueue& paths) {
-    scene_.frame.structure().closest_hits(rays_of(paths), hits_.data());
+    if (scene_.far != nullptr && paths.vertex > 0) {
+        trace_near(paths);
+    } else {
+        scene_.frame.structure().closest_hits(rays_of(paths), hits_.data());
+    }
     return hits_.data();
+}
+
+void HitSurfaces::trace_near(const PathQueue& paths) {
+    const auto choose = [&](bool is_delta) {
+        some_.clear();
+        for (int i = 0; i < paths.count; ++i) {
+            if ((paths.is_delta.at[i] != 0) == is_delta) {
+                some_.push_back(i);
+            }
+        }
+    };
+    choose(true);
+    trace_some(paths, scene_.frame.structure());
+    choose(false);
+    trace_some(paths, scene_.frame.near());
+    for (const int i : some_) {
+        Hit& hit = hits_[static_cast<std::size_t>(i)];
+        if (hit.t > scene_.far->grid().way_out(paths.origin.get(i), paths.direction.get(i))) {
+            hit = Hit{};
+        }
+    }
+}
+
+void HitSurfaces::trace_some(const PathQueue& paths, const AccelerationStructure& structure) {
+    const std::size_t size = some_.size() + RayBatch::kBeyond;
+    for (std::vector<float>& numbers : rays_) {
+        numbers.resize(std::max(numbers.size(), size));
+    }
+    hits_of_some_.resize(std::max(hits_of_some_.size(), size));
+    for (std::size_t k = 0; k < some_.size(); ++k) {
+        const int i = some_[k];
+        const V3f origin = paths.origin.get(i);
+        const V3f direction = paths.direction.get(i);
+        for (int axis = 0; axis < 3; ++axis) {
+            rays_[static_cast<std::size_t>(axis)][k] = origin[axis];
+            rays_[static_cast<std::size_t>(axis) + 3][k] = direction[axis];
+        }
+        rays_[6][k] = paths.time.at[i];
+    }
+    structure.closest_hits({static_cast<int>(some_.size()),
+                            {rays_[0].data(), rays_[1].data(), rays_[2].data()},
+                            {rays_[3].data(), rays_[4].data(), rays_[5].data()},
+                            rays_[6].data()},
+                           hits_of_some_.data());
+    for (std::size_t k = 0; k < some_.size(); ++k) {
+        hits_[static_cast<std::size_t>(some_[k])] = hits_of_some_[k];
+    }
 }
 
 void HitSurfaces::find(const PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices) {

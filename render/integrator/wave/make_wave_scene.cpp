@@ -67,9 +67,11 @@ LightTree make_tree(const LightSet& lights, const FarLight* far, std::vector<Wav
             }
         }
         for (const std::size_t light : numbers) {
-            const bool is_far = far != nullptr && far->grid().is_far(in_tree[light].box.center());
-            made[light].is_in_tree =
-                (is_far || numbers.size() > kFewLights) && in_tree[light].strength > 0;
+            made[light].is_in_panorama = far != nullptr &&
+                                         made[light].kind != WaveLight::Kind::delta &&
+                                         far->grid().is_far(in_tree[light].box.center());
+            made[light].is_in_tree = !made[light].is_in_panorama && numbers.size() > kFewLights &&
+                                     in_tree[light].strength > 0;
             in_tree[light].strength = made[light].is_in_tree ? in_tree[light].strength : 0;
         }
     };
@@ -133,11 +135,16 @@ WaveScene& make_in(const TransportScene& scene, const WaveSetUp& set_up, SceneAr
     known.all_lights = arena.add(lights);
     known.lights = known.all_lights;
     const Environment& environment = scene.lights.directions();
+    if (scene.far != nullptr) {
+        known.has_far = true;
+        known.sky_distance = kFarDistance;
+        known.near_low = scene.far->grid().near().min;
+        known.near_high = scene.far->grid().near().max;
+    }
     known.environment_importance = environment.importance();
     if (environment.is_sampled() && environment.picture().distribution.density.exists()) {
         known.has_sky = true;
         known.sky = environment.picture();
-        known.sky_distance = scene.far != nullptr ? kFarDistance : kInfinity;
         arena.take(known.sky);
     }
     add_objects(scene, known, arena);
@@ -200,7 +207,7 @@ void set_up(const PathSettings& settings, const Caustics& caustics, WaveScene& w
     std::vector<WaveLight> lights;
     std::copy_if(wave_scene.all_lights.begin(), wave_scene.all_lights.end(),
                  std::back_inserter(lights),
-                 [](const WaveLight& light) { return !light.is_in_tree; });
+                 [](const WaveLight& light) { return !light.is_in_tree && !light.is_in_panorama; });
     if (wave_scene.light_tree.exists()) {
         WaveLight& many = lights.emplace_back();
         many.kind = WaveLight::Kind::many;

@@ -39,7 +39,8 @@ struct WaveLight {
     Kind kind = Kind::dark_environment;
     int number = -1;  // in LightSet; of `many` none
     bool is_in_tree = false;
-    int samples = 1;  // at a path's first vertex
+    bool is_in_panorama = false;  // of far surfaces, and not sampled by itself
+    int samples = 1;              // at a path's first vertex
     bool is_round = false;
     AreaLightConstants area;
     DeltaLightConstants delta;
@@ -126,7 +127,7 @@ enum ShapeRow : std::uint8_t {
     kShapeRows = 43
 };
 
-/// WaveScene::sky_distance if rays in directions of the sky may end on far surfaces.
+/// WaveScene::sky_distance if shadow rays to the sky end at the near box.
 inline constexpr float kFarDistance = 0x1p100F;
 inline constexpr float kLeastFarDistance = 0x1p99F;
 
@@ -140,6 +141,8 @@ struct WaveScene {
     bool has_sky = false;
     EnvironmentPicture sky;          // of a sampled environment
     float sky_distance = kInfinity;  // of the ends of shadow rays to it, m
+    bool has_far = false;            // the sky is what is seen beyond this box
+    V3f near_low{0, 0, 0}, near_high{0, 0, 0};
 
     List<SphereBounds> spheres;
     List<std::int32_t> sphere_of_object;  // or -1

@@ -79,7 +79,8 @@ inline Estimate picture_luminance(const render::SceneDescription& scene,
     const render::PreparedScene prepared(scene, settings);
     const auto& data = prepared.data();
     const render::FrameScene frame(data.geometry, motion.tracks, 0, motion.shutter,
-                                   data.cut_outs ? &*data.cut_outs : nullptr);
+                                   data.cut_outs ? &*data.cut_outs : nullptr,
+                                   data.near ? &*data.near : nullptr);
     const render::LightSet lights = data.lights.in_frame(frame.motions());
     const render::PathIntegrator integrator(
         {frame, data.materials, lights, data.object_count, data.far.get()}, path);

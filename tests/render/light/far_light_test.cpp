@@ -33,7 +33,7 @@ FarLight wall(std::uint32_t object, const Light& light) {
                 {FarGrid::key(object, 1, level, place), SharedExponent(light(centre.y, centre.z))});
         }
     }
-    return {region(), std::move(cells), std::vector<float>(kDirections, 1.0F)};
+    return {region(), std::move(cells), std::vector<SharedExponent>(kDirections)};
 }
 
 TEST(FarGrid, Distance_IsThatFromTheBox) {
@@ -43,6 +43,15 @@ TEST(FarGrid, Distance_IsThatFromTheBox) {
     EXPECT_FLOAT_EQ(grid.distance(V3f(4, 5, 0)), 5);
     EXPECT_FALSE(grid.is_far(V3f(2.9F, 0, 0)));
     EXPECT_TRUE(grid.is_far(V3f(3.1F, 0, 0)));
+}
+
+TEST(FarGrid, WayOut_EndsAtTheNearBox) {
+    const FarGrid grid(region());
+    EXPECT_FLOAT_EQ(grid.way_out(V3f(0, 0, 0), V3f(1, 0, 0)), 3);
+    EXPECT_FLOAT_EQ(grid.way_out(V3f(0, 0, 0), V3f(0, 0, -1)), 3);
+    EXPECT_FLOAT_EQ(grid.way_out(V3f(-5, 0, 0), V3f(1, 0, 0)), 8);
+    EXPECT_EQ(grid.way_out(V3f(-5, 0, 0), V3f(-1, 0, 0)), 0);
+    EXPECT_EQ(grid.way_out(V3f(-5, 0, 0), V3f(0, 1, 0)), 0);
 }
 
 /// Sides of 1/4 m up to 5 m, of 1/2 m up to 10 m ...
@@ -100,7 +109,7 @@ TEST(FarLight, SlantedSurfaces_MixTheFaces) {
     const FarLight light(region(),
                          {{FarGrid::key(0, 0, 0, place), SharedExponent(V3f(1))},
                           {FarGrid::key(0, 2, 0, place), SharedExponent(V3f(3))}},
-                         std::vector<float>(kDirections, 1.0F));
+                         std::vector<SharedExponent>(kDirections));
     const V3f at(4.1F, 0.1F, 0.1F);
     EXPECT_NEAR(light.irradiance(0, at, V3f(1, 0, 0)).x, 1, 0.01);
     EXPECT_NEAR(light.irradiance(0, at, V3f(0, 1, 0)).x, 3, 0.01);
@@ -114,7 +123,9 @@ TEST(FarLightFile, Light_IsReadAsItWasWritten) {
     const auto read = decoded(bytes, "inputs", region());
     ASSERT_NE(read, nullptr);
     EXPECT_EQ(read->cells(), light.cells());
-    EXPECT_EQ(read->brightness(), light.brightness());
+    for (std::size_t i = 0; i < kDirections; ++i) {
+        ASSERT_EQ(read->panorama()[i].bits(), light.panorama()[i].bits());
+    }
 }
 
 TEST(FarLightFile, OtherInputsAndDamage_GiveNothing) {

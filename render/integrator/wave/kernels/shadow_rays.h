@@ -59,6 +59,25 @@ CAROM_KERNEL Vec3Of<L> weighted_value(const WaveScene& scene, const VertexOf<L>&
     return base.value * weight_of_base + coat.value * weight_of_coat;
 }
 
+/// The density of samples of a light as it counts for their weight: beyond the near box no
+/// scattered path finds the light instead.
+template <class L>
+CAROM_KERNEL ValueOf<L> density_for_weight(const WaveScene& scene, const VertexOf<L>& v,
+                                           const LightSampleOf<L>& light, ValueOf<L> pdf) {
+    if (!scene.has_far) {
+        return pdf;
+    }
+    const Vec3Of<L> end = v.position + light.direction * light.distance;
+    const Vec3Of<L> low = all_of<L>(scene.near_low);
+    const Vec3Of<L> high = all_of<L>(scene.near_high);
+    const auto in_x = L::both(L::is_less(low.x, end.x), L::is_less(end.x, high.x));
+    const auto in_y = L::both(L::is_less(low.y, end.y), L::is_less(end.y, high.y));
+    const auto in_z = L::both(L::is_less(low.z, end.z), L::is_less(end.z, high.z));
+    const auto is_sky = L::is_less(L::all(kLeastFarDistance), light.distance);
+    const auto is_found = L::either(L::both(in_x, L::both(in_y, in_z)), is_sky);
+    return L::select(is_found, pdf, L::all(kDeltaPdf));
+}
+
 /// Writes the `k`th shadow ray of the vertices. `expected`: expected number of directions towards
 /// the light at each vertex.
 template <class L>
@@ -73,7 +92,9 @@ CAROM_KERNEL void add_shadow_rays(const WaveStep& step, const VertexOf<L>& v,
     const Vec3Of<L> wi = local_direction<L>(v, light.direction, height);
     const auto pdf = light.pdf * expected;
     const auto emits = L::both(L::both(wanted, light.valid), L::either(side.is_above, side.passes));
-    const Vec3Of<L> value = v.throughput * weighted_value<L>(step.scene, v, wi, side.passes, pdf) *
+    const auto weighed = density_for_weight<L>(step.scene, v, light, pdf);
+    const Vec3Of<L> value = v.throughput *
+                            weighted_value<L>(step.scene, v, wi, side.passes, weighed) *
                             light.radiance * (L::all(1) / pdf);
     const auto is_lit = L::both(emits, L::is_less(zero, largest<L>(value)));
     put_rays<L>(step.shadows, k, v.first, light, value, is_lit);
