@@ -355,6 +355,13 @@ stick: {length: 1.48 m, tip: 12.5 mm}
     standard:
       base: {wood: {light: [0.44, 0.27, 0.13], dark: [0.23, 0.12, 0.05], ring: 5 mm}}
 )"},
+        {"smudges", R"(materials:
+  ball:
+    standard:
+      roughness: 0.1
+      specular: {smudges: {amount: 0.4, seed: 2}, range: [0.35, 0.8]}
+      coat: {ior: 1.6}
+)"},
         {"checker", R"(materials:
   floor:
     standard:
