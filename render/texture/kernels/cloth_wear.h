@@ -75,8 +75,9 @@ CAROM_KERNEL ValueOf<L> scattered_marks(const Vec2Of<L>& place, ValueOf<L> footp
                           smooth_step<L>(seen - L::root(dx * dx + dy * dy),
                                          L::larger(footprint, L::all(0.4f) * radius));
     // Of the whole square, so that no mark is cut in two.
-    const auto half = L::all(0.5f);
-    const Vec2Of<L> middle{place.x + (half - x.offset) * side, place.y + (half - y.offset) * side};
+    const auto middle_of_side = L::all(0.5f);
+    const Vec2Of<L> middle{place.x + (middle_of_side - x.offset) * side,
+                           place.y + (middle_of_side - y.offset) * side};
     const auto is_there = L::is_less(unit_float<L>(first), probability(middle));
     return L::select(is_there, weight * coverage, L::all(0));
 }
@@ -110,7 +111,8 @@ CAROM_KERNEL ClothWearOf<L> wear_of_bed(const ClothParameters& cloth, const Vec2
     const auto path_weight = L::all(Look::kPath) * band_weight<L>(footprint, 3 * Look::kPathWidth) *
                              limited<L>((towards - towards * towards) * L::all(8), 0, 1);
     // Where players break from, in halves of the width.
-    for (const float from : {-0.43f, -0.21f, 0.02f, 0.17f, 0.38f}) {
+    for (int path = 0; path < 5; ++path) {
+        const float from = -0.43f + 0.2f * static_cast<float>(path) + (path == 1 ? 0.04f : 0.0f);
         const auto off = place.y - L::all(from * cloth.bed.y) * towards;
         wear.brightness = wear.brightness + path_weight * soft_peak<L>(off * off, Look::kPathWidth);
     }
