@@ -142,6 +142,18 @@ void transform_by(const render::OcioView& ocio, const Rows& rows, const Developm
     }
 }
 
+/// Replaces display colours.
+void look_up(const render::LutFile& lut, int width, int height,
+             std::vector<std::uint16_t>& display) {
+    std::vector<float> rgb(display.size());
+    std::ranges::transform(display, rgb.begin(),
+                           [](std::uint16_t code) { return static_cast<float>(code) / 65535.0F; });
+    lut.apply(rgb, width, height);
+    std::ranges::transform(rgb, display.begin(), [](float signal) {
+        return nearest_code((signal > 0 ? std::min(signal, 1.0F) : 0.0F) * 65535.0F);
+    });
+}
+
 std::string ocio_config() {
     const char* path = std::getenv("OCIO");
     if (path == nullptr || *path == 0) {
@@ -162,11 +174,14 @@ DisplayView::DisplayView(const OutputSettings& output) : output_(output) {
         ocio_.emplace(ocio_config(), render::OcioNames{output.ocio.display, output.ocio.view,
                                                        output.ocio.colour_space});
     }
+    if (!output.lut.empty()) {
+        lut_.emplace(output.lut);
+    }
 }
 
 std::vector<std::uint16_t> DisplayView::to_16(const render::Film& film, std::int64_t frame) const {
-    return output_.glow.strength > 0
-               ? rows_to_16(with_glow(film, output_.glow), 0, film.height, frame)
+    return output_.glow.is_seen()
+               ? rows_to_16(with_glow(film, output_.glow, output_.exposure), 0, film.height, frame)
                : rows_to_16(film, 0, film.height, frame);
 }
 
@@ -201,6 +216,9 @@ std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, 
         case ViewTransform::ocio:
             transform_by(*ocio_, rows, developed, display);
             break;
+    }
+    if (lut_) {
+        look_up(*lut_, rows.width, rows.height, display);
     }
     if (output_.grain > 0) {
         add_grain(display, {frame, glowing.width, glowing.height, first}, output_.grain);

@@ -121,6 +121,8 @@ const MapSpec<GlowSettings>& glow_spec() {
               "fraction of all light that is scattered: 0.05 looks like a light haze");
         s.key("radius", &GlowSettings::radius, number(above_up_to(0, 1)),
               "radius of the widest part, in picture heights");
+        s.key("halation", &GlowSettings::halation, number(between(0, 10)),
+              "red halo of film around what is brighter than white: 1 is ordinary film");
         return s;
     }();
     return spec;
@@ -140,6 +142,10 @@ const MapSpec<GradeSettings>& grade_spec() {
               "exponent: above 1 the middle tones become darker");
         s.key("saturation", &GradeSettings::saturation, number(between(0, 4)),
               "how far colours are from grey; 0: black and white");
+        s.key(
+            "white_balance", &GradeSettings::white_balance, number(between(1667, 25000)),
+            "temperature in kelvin of the light that shall look white: 2700 for light bulbs, 6500 "
+            "for a cloudy day. It comes before the rest");
         return s;
     }();
     return spec;
@@ -257,12 +263,20 @@ const MapSpec<OutputSettings>& output_spec() {
               "light that lens and eye scatter around bright points");
         s.key("grade", &OutputSettings::grade, record(grade_spec()),
               "a change of colours and contrast before the view");
+        s.key("lut", &OutputSettings::lut, file(FileKind::lut),
+              "a table of display colours, applied after the view: .cube, .3dl, .spi3d and others "
+              "that OpenColorIO reads");
         s.key("grain", &OutputSettings::grain, number(between(0, 20)),
               "grain of photographic film: 1 is a fine-grained 35 mm film, 3 a fast one");
         s.check([](Reader& reader, const Node& node, OutputSettings& output) {
             const Entry* ocio = node.find("ocio");
             if (ocio != nullptr && output.view != ViewTransform::ocio) {
                 reader.error(ocio->value.place, "'ocio' can only be used with 'view: ocio'");
+            }
+            const Entry* lut = node.find("lut");
+            if (lut != nullptr && output.hdr10) {
+                reader.error(lut->key_place,
+                             "'lut' has no meaning with 'hdr10', which has no view");
             }
         });
         s.key("hdr10", &OutputSettings::hdr10, record(hdr10_spec()),
