@@ -9,8 +9,8 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "render/film/ocio_view.h"
 #include "render/geometry/mesh_file.h"
+#include "render/image_files/format_module.h"
 #include "render/image_files/picture_light.h"
 #include "render/image_files/read_picture.h"
 #include "render/letters/font_file.h"
@@ -125,7 +125,7 @@ FileChecker::Finding FileChecker::examine(const NamedFile& file, bool is_whole,
                 render::check_font_file(file.path);
                 break;
             case FileKind::lut:
-                static_cast<void>(render::LutFile(file.path));
+                static_cast<void>(render::format_module().make_lut(file.path));
                 break;
             case FileKind::music:
                 if (options.try_music) {
