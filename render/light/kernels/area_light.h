@@ -26,14 +26,79 @@ struct LightPointOf {
     ValueOf<L> pdf;    // 1/m^2, > 0
 };
 
-/// One-sided rectangle, sampled uniformly by area. (Uniform sampling of its solid angle costs more
-/// than it gains for lamps a metre above a table.)
+/// The radiance of the wall of a shade at a height from the opening.
 template <class L>
-struct RectangleLightOf {
+CAROM_KERNEL Vec3Of<L> radiance_of_wall(const ShadeConstants& shade, ValueOf<L> height) {
+    const auto place = limited<L>(height * L::all((ShadeConstants::kNodes - 1) / shade.depth), 0,
+                                  ShadeConstants::kNodes - 1);
+    Vec3Of<L> radiance{L::all(0), L::all(0), L::all(0)};
+    for (int i = 0; i < ShadeConstants::kNodes; ++i) {
+        const auto weight =
+            L::larger(L::all(0), L::all(1) - L::size(place - L::all(static_cast<float>(i))));
+        radiance = radiance + all_of<L>(shade.wall[i]) * weight;
+    }
+    return radiance;
+}
+
+/// What a ray sees that passes the opening of a shade at `position` and came along the unit
+/// `direction`, which points out of it: the height z at which the ray, followed backwards, leaves
+/// the body is the positive root of a z^2 + b z + c with c <= 0.
+template <class L>
+CAROM_KERNEL Vec3Of<L> radiance_in_shade(const AreaLightConstants& light, const Vec3Of<L>& position,
+                                         const Vec3Of<L>& direction) {
+    using V = ValueOf<L>;
+    const ShadeConstants& shade = light.shade;
+    const Vec3<V> normal = all_of<L>(light.normal);
+    const V cosine = L::larger(dot(direction, normal), L::all(1e-4f));
+    const Vec3<V> slope = normal - direction * (L::all(1) / cosine);  // sideways for each z
+    const Vec3<V> from = position - all_of<L>(light.centre);
+    const Vec3<V> on_ceiling = from + slope * L::all(shade.depth);
+    const Vec3<V> squares = all_of<L>(shade.squares);
+    const V a = dot(slope, slope) - squares.z;
+    const V b = L::all(2) * dot(from, slope) - squares.y;
+    const V c = L::smaller(L::all(0), dot(from, from) - squares.x);
+    const V root = L::root(L::larger(L::all(0), b * b - L::all(4) * a * c));
+    const V height = L::all(-2) * c / L::larger(b + root, L::all(1e-12f));
+    // The squared distance from the axis on the ceiling, of its disk and of its edge.
+    const V beside = dot(on_ceiling, on_ceiling);
+    const float edge2 =
+        shade.squares.x + shade.depth * (shade.squares.y + shade.depth * shade.squares.z);
+    const Vec3<V> above = select<L>(L::is_at_most(beside, L::all(shade.disk2)),
+                                    all_of<L>(shade.disk), all_of<L>(shade.ceiling));
+    return select<L>(L::is_at_most(beside, L::all(edge2)), above,
+                     radiance_of_wall<L>(shade, height));
+}
+
+/// Radiance of a one-sided flat light from a point of it along the unit `direction`, on the side
+/// that shines.
+template <class L>
+CAROM_KERNEL Vec3Of<L> radiance_of_flat_light(const AreaLightConstants& light,
+                                              const Vec3Of<L>& position,
+                                              const Vec3Of<L>& direction) {
+    if (light.shade.depth > 0) {
+        return radiance_in_shade<L>(light, position, direction);
+    }
+    const Vec3Of<L> radiance = all_of<L>(light.radiance);
+    if (!(light.beam > 0)) {
+        return radiance;
+    }
+    const auto cosine = L::larger(dot(direction, all_of<L>(light.normal)), L::all(0));
+    return radiance * (L::all(0.5f * light.beam + 1) * power_of<L>(cosine, L::all(light.beam)));
+}
+
+/// One-sided rectangle or disk, sampled uniformly by area. (Uniform sampling of its solid angle
+/// costs more than it gains for lamps a metre above a table.)
+template <class L>
+struct FlatLightOf {
     using V = ValueOf<L>;
     const AreaLightConstants& light;
 
     [[nodiscard]] CAROM_KERNEL Vec3<V> point_at(const Vec2<V>& u) const {
+        if (light.kind == ShapeKind::disk) {
+            const Vec2<V> place = sample_disk<L>(u);
+            return all_of<L>(light.centre) + all_of<L>(light.edge_u) * place.x +
+                   all_of<L>(light.edge_v) * place.y;
+        }
         const V a = L::all(2) * u.x - L::all(1);
         const V b = L::all(2) * u.y - L::all(1);
         return all_of<L>(light.centre) + all_of<L>(light.edge_u) * a + all_of<L>(light.edge_v) * b;
@@ -41,15 +106,19 @@ struct RectangleLightOf {
 
     [[nodiscard]] CAROM_KERNEL LightSampleOf<L> sample(const Vec3<V>& point,
                                                        const Vec2<V>& u) const {
-        const Vec3<V> to_light = point_at(u) - point;
+        const Vec3<V> on_light = point_at(u);
+        const Vec3<V> to_light = on_light - point;
         const V height = L::opposite_sign(dot(to_light, all_of<L>(light.normal)));
         const auto valid = L::is_less(L::all(0), height);
         const V distance2 = dot(to_light, to_light);
         const V distance = L::root(distance2);
         const V pdf =
             distance2 * distance / (L::select(valid, height, L::all(1)) * L::all(light.area));
-        return {to_light * (L::all(1) / distance), distance, pdf,
-                all_of<L>(light.radiance) * gain_of_area_light<L>(light, pdf), valid};
+        const Vec3<V> direction = to_light * (L::all(1) / distance);
+        return {direction, distance, pdf,
+                radiance_of_flat_light<L>(light, on_light, opposite<L>(direction)) *
+                    gain_of_area_light<L>(light, pdf),
+                valid};
     }
 
     [[nodiscard]] CAROM_KERNEL V pdf(const Vec3<V>& /*point*/, const Vec3<V>& direction,
@@ -181,10 +250,10 @@ struct SphereLightOf {
 /// What `visit` returns for the formulas of the light's kind.
 template <class L, class Visit>
 CAROM_KERNEL auto by_kind(const AreaLightConstants& light, const Visit& visit) {
-    if (light.kind == ShapeKind::rectangle) {
-        return visit(RectangleLightOf<L>{light});
+    if (light.kind == ShapeKind::sphere) {
+        return visit(SphereLightOf<L>{light});
     }
-    return visit(SphereLightOf<L>{light});
+    return visit(FlatLightOf<L>{light});
 }
 
 /// Not valid behind a one-sided light or within a closed one.
@@ -213,13 +282,17 @@ CAROM_KERNEL ValueOf<L> importance_of_area_light(const AreaLightConstants& light
     });
 }
 
-/// Radiance towards `direction`, which points away from the light.
+/// Radiance from a point of the light towards `direction`, which points away from it.
 template <class L>
 CAROM_KERNEL Vec3Of<L> emitted_by_area_light(const AreaLightConstants& light,
+                                             const Vec3Of<L>& position,
                                              const Vec3Of<L>& direction) {
+    if (!light.is_one_sided) {
+        return all_of<L>(light.radiance);
+    }
     const auto shines = L::is_less(L::all(0), dot(direction, all_of<L>(light.normal)));
-    return all_of<L>(light.radiance) *
-           (light.is_one_sided ? L::select(shines, L::all(1), L::all(0)) : L::all(1));
+    return radiance_of_flat_light<L>(light, position, direction) *
+           L::select(shines, L::all(1), L::all(0));
 }
 
 /// A point of the light for rays from within `receiver_radius` of `receiver`, for which
