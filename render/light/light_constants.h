@@ -20,11 +20,15 @@ struct ShadeConstants {
 
     float depth = 0;       // m, of the ceiling behind the opening; 0: no shade
     V3f squares{0, 0, 0};  // the square of its radius at height z is x + y z + z z^2
-    float disk2 = 0;       // the square of the opal disk's radius
+    float disk_radius = 0;
+    float disk2 = 0;        // its square
+    float disk_chance = 0;  // that a sample is one of the disk, below 1
     V3f disk{0, 0, 0}, ceiling{0, 0, 0};
     /// Of the wall, at equal steps of height from the opening to the ceiling; linear between.
     V3f wall[kNodes] = {};
 };
+/// How much further than the radius squared, relatively, points still count as in the opening.
+inline constexpr float kOpeningMargin = 1.0001f;
 
 /// A light with a surface, for kernels. Its shape is a unit shape (shape_list.h) under an affine
 /// map.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/colour.h"
+
 namespace carom::render {
 
 namespace {
@@ -141,6 +143,17 @@ double at_node(const std::array<double, kRings>& wall, int node) {
     return 0.5 * (wall[edge - 1] + wall[edge]);
 }
 
+/// The share of the light by which the disk is brighter than the mean of all else that is seen:
+/// directions have the density of their radiance then, if all else has its mean.
+float chance_of_disk(const Inside& inside, double of_disk, double mean) {
+    const double opening = kPi * inside.opening().radius * inside.opening().radius;
+    const double sees_disk = exchange(inside.disk(), inside.opening()) / opening;
+    const double rest = std::max(0.0, mean - of_disk * sees_disk) / std::max(1e-9, 1 - sees_disk);
+    constexpr double kLargest = 0.9;
+    const double excess = std::max(0.0, of_disk - rest) * sees_disk;
+    return static_cast<float>(mean > 0 ? std::min(kLargest, excess / mean) : 0);
+}
+
 }  // namespace
 
 ShadeInside shade_inside(const ShadeLight& light) {
@@ -149,7 +162,8 @@ ShadeInside shade_inside(const ShadeLight& light) {
     ShadeConstants& made = result.constants;
     made.depth = static_cast<float>(light.depth);
     made.squares = V3f(light.shape.squares());
-    made.disk2 = static_cast<float>(light.disk_radius * light.disk_radius);
+    made.disk_radius = static_cast<float>(light.disk_radius);
+    made.disk2 = made.disk_radius * made.disk_radius;
     made.disk = V3f(light.radiance);
     for (int colour = 0; colour < 3; ++colour) {
         const Radiances radiances = solve(inside, light.albedo[colour]);
@@ -160,6 +174,8 @@ ShadeInside shade_inside(const ShadeLight& light) {
             made.wall[node][colour] = static_cast<float>(radiance * at_node(radiances.wall, node));
         }
     }
+    made.disk_chance =
+        chance_of_disk(inside, luminance(light.radiance), luminance(result.mean_radiance));
     return result;
 }
 

@@ -301,6 +301,57 @@ TEST(ShadeLight, IsFoundAsItIsSampled) {
     }
 }
 
+/// The mean of one over the density is the solid angle in which there are samples.
+TEST(ShadeLight, Density_IsOfAllSamplesTogether) {
+    const AreaLightConstants emitter = constants_of(shade());
+    EXPECT_GT(emitter.shade.disk_chance, 0.2F);
+    for (const V3f& point : {V3f(0, 0, 0.2f), V3f(0.5f, -0.3f, 0.45f), V3f(1.5f, 0, 0.9f)}) {
+        const Estimate sampled = estimate(400'000, [&](float x, float y) {
+            const auto sample = light_sample(emitter, point, V2f(x, y));
+            EXPECT_TRUE(!sample || std::abs(sample->direction.length() - 1) < 1e-5f);
+            return sample ? static_cast<double>(1 / sample->pdf) : 0;
+        });
+        AreaLightConstants plain = emitter;
+        plain.shade = ShadeConstants();
+        const Estimate exact = estimate(400'000, [&](float x, float y) {
+            return static_cast<double>(1 / light_sample(plain, point, V2f(x, y))->pdf);
+        });
+        EXPECT_NEAR(sampled.mean, exact.mean, 4 * std::hypot(sampled.error, exact.error));
+    }
+}
+
+TEST(ShadeLight, PointsForReflections_GiveTheSameLight) {
+    const AreaLightConstants emitter = constants_of(shade());
+    const V3f normal(0, 0, 1);
+    for (const V3f& receiver : {V3f(0.1f, 0.05f, 0.4f), V3f(0.7f, -0.3f, 0.55f)}) {
+        const Estimate connected = estimate(400'000, [&](float x, float y) {
+            const auto target =
+                scalar::sample_point_of_area_light<One>(emitter, receiver, 0.03f, V2f(x, y));
+            const V3f way = target.position - receiver;
+            const V3f direction = way.normalized();
+            const V3f emitted =
+                scalar::emitted_by_area_light<One>(emitter, target.position, -direction);
+            return static_cast<double>(emitted.x * direction.dot(normal) *
+                                       -direction.dot(target.normal) /
+                                       (way.length2() * target.pdf));
+        });
+        const Estimate sampled = irradiance_of(emitter, receiver, normal);
+        EXPECT_NEAR(connected.mean, sampled.mean, 4 * std::hypot(connected.error, sampled.error));
+        EXPECT_LT(connected.error, 0.01 * connected.mean);
+    }
+}
+
+/// Samples of the opening alone would vary by the contrast of the disk and the wall.
+TEST(ShadeLight, Samples_FollowTheBrightness) {
+    const AreaLightConstants emitter = constants_of(shade());
+    AreaLightConstants blind = emitter;
+    blind.shade.disk_chance = 0;
+    const V3f point(0.2f, 0, 0);
+    const V3f normal(0, 0, 1);
+    EXPECT_LT(irradiance_of(emitter, point, normal).error,
+              0.5 * irradiance_of(blind, point, normal).error);
+}
+
 TEST(ShadeLight, Problems_AreNamed) {
     const auto problem = [](auto change) {
         ShadeLight light = shade();
