@@ -13,11 +13,12 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kSheet = 0.002;        // m, of a shade
+constexpr double kRise = 0.001;         // m, of its rim behind the opening
 constexpr std::uint32_t kSides = 96;    // of a shade
 constexpr int kRings = 24;              // of a shade with a bulge
 constexpr double kFrame = 0.012;        // m, of a housing around its light
 constexpr double kHousingDepth = 0.04;  // m
-constexpr double kInset = 1e-4;         // m, of a housing behind its light
+constexpr double kInset = 0.001;        // m, of a housing behind its light
 
 /// Axes x, y and z at right angles with z along the unit `axis`, and their origin.
 Mat44 placed_along(const Vec3& axis, const Vec3& x, const Vec3& origin) {
@@ -70,16 +71,19 @@ Ring ring_of(const render::ShadeShape& shape, double height) {
     return {radius + kSheet, height, normal};
 }
 
-/// Opens at z = 0 and rises along z.
+/// Rises along z. Its rim is a little higher than the opening, at z = 0, so that shadow rays, which
+/// end there, never come into its bounds.
 render::MeshShape outside_of(const render::ShadeShape& shape) {
     render::MeshShape mesh;
     const Vec2 down(0, -1);
     const Vec2 up(0, 1);
-    add_band({shape.radius, 0, down}, {shape.radius + kSheet, 0, down}, mesh);
+    add_band({shape.radius, kRise, down}, {shape.radius + kSheet, kRise, down}, mesh);
     const int rings = shape.bulge > 0 ? kRings : 1;
     for (int i = 0; i < rings; ++i) {
-        add_band(ring_of(shape, shape.height * i / rings),
-                 ring_of(shape, shape.height * (i + 1) / rings), mesh);
+        const auto ring = [&](int number) {
+            return ring_of(shape, kRise + (shape.height - kRise) * number / rings);
+        };
+        add_band(ring(i), ring(i + 1), mesh);
     }
     add_band({ring_of(shape, shape.height).radius, shape.height, up}, {0, shape.height, up}, mesh);
     return mesh;

@@ -22,6 +22,7 @@ struct ShadeConstants {
     V3f squares{0, 0, 0};  // the square of its radius at height z is x + y z + z z^2
     float disk_radius = 0;
     float disk2 = 0;        // its square
+    float edge2 = 0;        // the square of the ceiling's
     float disk_chance = 0;  // that a sample is one of the disk, below 1
     V3f disk{0, 0, 0}, ceiling{0, 0, 0};
     /// Of the wall, at equal steps of height from the opening to the ceiling; linear between.

@@ -164,6 +164,8 @@ ShadeInside shade_inside(const ShadeLight& light) {
     made.squares = V3f(light.shape.squares());
     made.disk_radius = static_cast<float>(light.disk_radius);
     made.disk2 = made.disk_radius * made.disk_radius;
+    const double edge = light.shape.radius_at(light.depth);
+    made.edge2 = std::max(made.disk2, static_cast<float>(edge * edge));
     made.disk = V3f(light.radiance);
     for (int colour = 0; colour < 3; ++colour) {
         const Radiances radiances = solve(inside, light.albedo[colour]);

@@ -15,9 +15,21 @@ CAROM_KERNEL Vec3Of<L> radiance_of_wall(const ShadeConstants& shade, ValueOf<L> 
     return radiance;
 }
 
+/// The height at which a ray, followed backwards from the opening, meets the wall: the positive
+/// root of a z^2 + b z + c with c <= 0. `slope`: how far it moves sideways for each z.
+template <class L>
+CAROM_KERNEL ValueOf<L> height_on_wall(const ShadeConstants& shade, const Vec3Of<L>& from,
+                                       const Vec3Of<L>& slope) {
+    const Vec3Of<L> squares = all_of<L>(shade.squares);
+    const auto a = dot(slope, slope) - squares.z;
+    const auto b = L::all(2) * dot(from, slope) - squares.y;
+    const auto c = L::smaller(L::all(0), dot(from, from) - squares.x);
+    const auto root = L::root(L::larger(L::all(0), b * b - L::all(4) * a * c));
+    return L::all(-2) * c / L::larger(b + root, L::all(1e-12f));
+}
+
 /// What a ray sees that passes the opening of a shade at `position` (outside of it: nothing) and
-/// came along the unit `direction`, which points out of it: the height z at which the ray, followed
-/// backwards, leaves the body is the positive root of a z^2 + b z + c with c <= 0.
+/// came along the unit `direction`, which points out of it.
 template <class L>
 CAROM_KERNEL Vec3Of<L> radiance_in_shade(const AreaLightConstants& light, const Vec3Of<L>& position,
                                          const Vec3Of<L>& direction) {
@@ -25,23 +37,17 @@ CAROM_KERNEL Vec3Of<L> radiance_in_shade(const AreaLightConstants& light, const 
     const ShadeConstants& shade = light.shade;
     const Vec3<V> normal = all_of<L>(light.normal);
     const V cosine = L::larger(dot(direction, normal), L::all(1e-4f));
-    const Vec3<V> slope = normal - direction * (L::all(1) / cosine);  // sideways for each z
+    const Vec3<V> slope = normal - direction * (L::all(1) / cosine);
     const Vec3<V> from = position - all_of<L>(light.centre);
     const Vec3<V> on_ceiling = from + slope * L::all(shade.depth);
-    const Vec3<V> squares = all_of<L>(shade.squares);
-    const V a = dot(slope, slope) - squares.z;
-    const V b = L::all(2) * dot(from, slope) - squares.y;
-    const V c = L::smaller(L::all(0), dot(from, from) - squares.x);
-    const V root = L::root(L::larger(L::all(0), b * b - L::all(4) * a * c));
-    const V height = L::all(-2) * c / L::larger(b + root, L::all(1e-12f));
-    // The squared distance from the axis on the ceiling, of its disk and of its edge.
     const V beside = dot(on_ceiling, on_ceiling);
-    const float edge2 =
-        shade.squares.x + shade.depth * (shade.squares.y + shade.depth * shade.squares.z);
-    const Vec3<V> above = select<L>(L::is_at_most(beside, L::all(shade.disk2)),
-                                    all_of<L>(shade.disk), all_of<L>(shade.ceiling));
-    const Vec3<V> seen =
-        select<L>(L::is_at_most(beside, L::all(edge2)), above, radiance_of_wall<L>(shade, height));
+    Vec3<V> seen = select<L>(L::is_at_most(beside, L::all(shade.disk2)), all_of<L>(shade.disk),
+                             all_of<L>(shade.ceiling));
+    const auto is_on_wall = L::is_less(L::all(shade.edge2), beside);
+    if (!L::none(is_on_wall)) {
+        const V height = height_on_wall<L>(shade, from, slope);
+        seen = select<L>(is_on_wall, radiance_of_wall<L>(shade, height), seen);
+    }
     const auto is_open = L::is_at_most(dot(from, from), L::all(shade.squares.x * kOpeningMargin));
     return seen * L::select(is_open, L::all(1), L::all(0));
 }

@@ -106,7 +106,7 @@ TEST(Lamps, OutsideOfAShade_FacesOutwards) {
     }
     const double r = 0.202;
     const double s = 0.102;
-    EXPECT_NEAR(volume, kPi / 3 * 0.3 * (r * r + r * s + s * s), 2e-4);
+    EXPECT_NEAR(volume, kPi / 3 * 0.299 * (r * r + r * s + s * s), 2e-4);
 }
 
 TEST(Lamps, Lumens_DecideTheRadiance) {
