@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kSheet = 0.002;        // m, of a shade
 constexpr double kRise = 0.001;         // m, of its rim behind the opening
-constexpr std::uint32_t kSides = 96;    // of a shade
-constexpr int kRings = 24;              // of a shade with a bulge
+constexpr std::uint32_t kSides = 64;    // of a shade
+constexpr int kRings = 12;              // of a shade with a bulge
 constexpr double kFrame = 0.012;        // m, of a housing around its light
 constexpr double kHousingDepth = 0.04;  // m
 constexpr double kInset = 0.001;        // m, of a housing behind its light

@@ -10,7 +10,7 @@ namespace carom::render {
 
 namespace {
 
-constexpr std::size_t kMostTrees = 4;
+constexpr std::size_t kMostTrees = 2;
 
 /// Meshes whose boxes touch, directly or through others.
 struct Cluster {
