@@ -149,7 +149,7 @@ const MapSpec<ShadeSection>& shade_spec() {
             if (problem.what != nullptr) {
                 const Entry* key = node.find(problem.field);
                 reader.error(key != nullptr ? key->value.place : node.place,
-                             "the shade of " + reader.label() + " cannot be: " + problem.what);
+                             reader.label() + ": " + problem.what);
                 shade = {};
             }
         });
@@ -387,7 +387,7 @@ Lamp to_lamp(const LightSection& keys) {
     return {to_light(keys), {}, {}};
 }
 
-/// The power, W, for each colour, of a lamp with a surface.
+/// The power, W, for each colour; 0 without a surface, for which there are no lumens.
 Vec3 power_of_lamp(const LightSection& keys, const Lamp& lamp) {
     if (keys.tube) {
         const Tube tube = tube_of(keys);
@@ -401,10 +401,10 @@ Lamp to_bright_lamp(LightSection keys) {
     if (!keys.lumens) {
         return to_lamp(keys);
     }
-    keys.radiance /= luminance(keys.radiance);
     const double strength = std::exchange(keys.strength, 1);
     const double watts = luminance(power_of_lamp(keys, to_lamp(keys)));
-    keys.strength = strength * *keys.lumens / (render::kLumensPerWatt * watts);
+    keys.strength =
+        watts > 0 ? strength * *keys.lumens / (render::kLumensPerWatt * watts) : strength;
     return to_lamp(keys);
 }
 
