@@ -1,9 +1,10 @@
 // What many lights cost: light_bench [--samples N] [--seeds N] [--width N]. A floor with balls is
-// lit from above by four lamps side by side, by a board of 5,000 light-emitting diodes as large as
-// they are together (a mesh of 10,000 triangles), and by 1,000 small spheres scattered around, at
-// rest and moving. For each it prints a row: CPU seconds, millions of rays, relMSE of the pixels
-// that do not show a light, and how many times the CPU seconds of the four lamps an equal error
-// takes: seconds times relMSE, over that of the lamps.
+// lit from above by four lamps side by side, by four disks and by four of them in shades, by a
+// board of 5,000 light-emitting diodes as large as the lamps are together (a mesh of 10,000
+// triangles), and by 1,000 small spheres scattered around, at rest and moving. For each it prints a
+// row: CPU seconds, millions of rays, relMSE of the pixels that do not show a light, and how many
+// times the CPU seconds of the four lamps an equal error takes: seconds times relMSE, over that of
+// the lamps.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -62,6 +63,33 @@ LitScene with_lamps() {
         lamp.normal = Vec3(0, 0, -1);
         lamp.radiance = Vec3(4, 4, 4);
         scene.builder.scene.lights.push_back({fmt::format("lamp {}", i), lamp});
+    }
+    return scene;
+}
+
+/// `shades`: with a white inside, which opens as wide as the disk that it stands for.
+LitScene with_disks(bool shades) {
+    LitScene scene = unlit(shades ? "4 shades" : "4 disks");
+    for (int i = 0; i < 4; ++i) {
+        const std::string name = fmt::format("lamp {}", i);
+        const Vec3 place(-0.9 + 0.6 * i, 0, 1.0);
+        if (!shades) {
+            render::DiskLight lamp;
+            lamp.centre = place;
+            lamp.radius = 0.2;
+            lamp.radiance = Vec3(12, 12, 12);
+            scene.builder.scene.lights.push_back({name, lamp});
+            continue;
+        }
+        render::ShadeLight lamp;
+        lamp.centre = place;
+        lamp.shape = {0.2, 0.06, 0.22, 0};
+        lamp.disk_radius = 0.1;
+        lamp.depth = 0.1;
+        lamp.radiance = Vec3(30, 30, 30);
+        scene.builder.scene.lights.push_back({name, lamp});
+        scene.builder.object(name, render::ConeShape{0.202, 0.06, 0.22}, place + Vec3(0, 0, 0.111),
+                             "floor");
     }
     return scene;
 }
@@ -225,8 +253,9 @@ int run(int argc, char** argv) {
     std::printf(
         "| lit by | CPU s | Mrays | relMSE | CPU s at equal error |\n|---|---|---|---|---|\n");
     double lamps = 0;
-    for (const LitScene& scene : {with_lamps(), with_board(), with_lamps_among_spheres(),
-                                  with_spheres(false), with_spheres(true)}) {
+    for (const LitScene& scene :
+         {with_lamps(), with_disks(false), with_disks(true), with_board(),
+          with_lamps_among_spheres(), with_spheres(false), with_spheres(true)}) {
         if (!scene.name.starts_with(only)) {
             continue;
         }

@@ -387,6 +387,15 @@ objects:
   evening: {spot: [26, 24, 20], at: [-0.5, -1, 1.6], facing: [0.5, 1, -1], angle: [16 deg, 24 deg]}
   room: {environment: 0.05}
 )"},
+        {"shade", R"(lights:
+  pendant:
+    shade: {radius: 20 cm, top_radius: 4 cm, height: 22 cm, bulge: 0.7, disk: 12 cm, depth: 8 cm}
+    at: [0, 0, 1.05]
+    lumens: 2600
+)"},
+        {"tube", R"(lights:
+  tube: {tube: {length: 1.2 m, radius: 13 mm}, at: [0, 0, 1.6], lumens: 2500}
+)"},
         {"sky", R"(lights:
   sky: {environment: {sun: [-0.75, -0.8, 0.5], turbidity: 2.6, ground: [0.06, 0.1, 0.04]}}
   sun: {directional: [560, 520, 450], facing: [0.75, 0.8, -0.5]}

@@ -71,9 +71,9 @@ class LightSet {
     }
     [[nodiscard]] const Environment& environment() const { return *environment_; }
 
-    /// Radiance of an area light towards the unit `direction`, away from the light, as cameras and
-    /// specular reflections see it.
-    [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
+    /// Radiance of an area light from its point `position` towards the unit `direction`, away from
+    /// the light, as cameras and specular reflections see it.
+    [[nodiscard]] V3f emitted(std::size_t light, const V3f& position, const V3f& direction) const;
 
   private:
     std::vector<Light> lights_;

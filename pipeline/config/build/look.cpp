@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -74,15 +75,29 @@ void add_lights(Builder& builder) {
         lights = default_lights(table ? &*table : nullptr);
         return;
     }
-    for (const Named<render::LightDescription>& given : builder.file.lights) {
-        lights.push_back(given.value);
-        lights.back().name = given.name;
+    for (const Named<Lamp>& given : builder.file.lights) {
+        if (given.value.light) {
+            lights.push_back(*given.value.light);
+            lights.back().name = given.name;
+        }
+    }
+}
+
+/// Lamps are seen, and their materials can be replaced as those of other objects.
+void add_parts_of_lamps(Builder& builder) {
+    render::SceneDescription& scene = builder.shot.scene;
+    for (const Named<Lamp>& given : builder.file.lights) {
+        Lamp lamp = given.value;
+        name_parts(lamp, given.name);
+        std::ranges::move(lamp.parts, std::back_inserter(scene.objects));
+        std::ranges::move(lamp.materials, std::back_inserter(scene.materials));
     }
 }
 
 }  // namespace
 
 void build_look(Builder& builder) {
+    add_parts_of_lamps(builder);
     add_used_materials(builder);
     lay_cloth(builder);
     add_lights(builder);

@@ -140,10 +140,17 @@ void write_surface(Writer& out, const render::StandardMaterial& s) {
 struct LightWriter {
     Writer& out;
     void operator()(const render::RectangleLight& l) const {
-        out.line(l.centre, l.edge_u, l.edge_v, l.normal, l.radiance, l.falloff);
+        out.line(l.centre, l.edge_u, l.edge_v, l.normal, l.radiance, l.falloff, l.beam);
     }
     void operator()(const render::SphereLight& l) const {
         out.line(l.centre, l.radius, l.radiance, l.falloff);
+    }
+    void operator()(const render::DiskLight& l) const {
+        out.line(l.centre, l.radius, l.normal, l.radiance, l.falloff, l.beam);
+    }
+    void operator()(const render::ShadeLight& l) const {
+        out.line(l.centre, l.normal, l.shape.radius, l.shape.top_radius, l.shape.height,
+                 l.shape.bulge, l.disk_radius, l.depth, l.albedo, l.radiance);
     }
     void operator()(const render::EnvironmentLight& l) const {
         out.line(l.radiance, l.image, l.rotation);
