@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "render/geometry/mesh_file.h"
-#include "render/image_files/format_module.h"
 #include "render/image_files/picture_light.h"
 #include "render/image_files/read_picture.h"
 #include "render/letters/font_file.h"
@@ -124,9 +123,6 @@ FileChecker::Finding FileChecker::examine(const NamedFile& file, bool is_whole,
             case FileKind::font:
                 render::check_font_file(file.path);
                 break;
-            case FileKind::lut:
-                static_cast<void>(render::format_module().make_lut(file.path));
-                break;
             case FileKind::music:
                 if (options.try_music) {
                     options.try_music(file.path);
@@ -185,8 +181,7 @@ FileReport FileChecker::check(std::span<const NamedFile> files, const FileCheckO
         for (const std::string& warning : warnings_of(file, found)) {
             add_once(problem_at(file, Severity::warning, warning), report.problems);
         }
-        const bool has_header = file.kind != FileKind::font && file.kind != FileKind::music &&
-                                file.kind != FileKind::lut;
+        const bool has_header = file.kind != FileKind::font && file.kind != FileKind::music;
         const bool is_listed = std::ranges::find(report.read_by_header, file.path,
                                                  &NamedFile::path) != report.read_by_header.end();
         if (!is_whole && has_header && !is_listed) {

@@ -17,7 +17,6 @@ enum class FileKind : std::uint8_t {
     annotation_picture,  // a picture over the frames
     font,
     music,
-    lut,
 };
 
 struct NamedFile {

@@ -84,7 +84,6 @@ struct OutputSettings {
     DenoiseSettings denoise;  // of the linear film, before the glow
     GlowSettings glow;        // added to the linear film, before the view
     GradeSettings grade;      // of the linear film, after glow and exposure
-    std::string lut;          // file of the display picture's colours, after the view; empty: none
     double grain = 0;         // strength of film's grain in the display picture, [0, 20]; grain.h
     OverlaySettings overlay;  // drawn on the display picture, after the view
     std::optional<Hdr10Settings> hdr10;

@@ -142,18 +142,6 @@ void transform_by(const render::OcioView& ocio, const Rows& rows, const Developm
     }
 }
 
-/// Replaces display colours.
-void look_up(const render::LutFile& lut, int width, int height,
-             std::vector<std::uint16_t>& display) {
-    std::vector<float> rgb(display.size());
-    std::ranges::transform(display, rgb.begin(),
-                           [](std::uint16_t code) { return static_cast<float>(code) / 65535.0F; });
-    lut.apply(rgb, width, height);
-    std::ranges::transform(rgb, display.begin(), [](float signal) {
-        return nearest_code((signal > 0 ? std::min(signal, 1.0F) : 0.0F) * 65535.0F);
-    });
-}
-
 std::string ocio_config() {
     const char* path = std::getenv("OCIO");
     if (path == nullptr || *path == 0) {
@@ -173,9 +161,6 @@ DisplayView::DisplayView(const OutputSettings& output) : output_(output) {
     if (output.view == ViewTransform::ocio) {
         ocio_.emplace(ocio_config(), render::OcioNames{output.ocio.display, output.ocio.view,
                                                        output.ocio.colour_space});
-    }
-    if (!output.lut.empty()) {
-        lut_.emplace(output.lut);
     }
 }
 
@@ -216,9 +201,6 @@ std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, 
         case ViewTransform::ocio:
             transform_by(*ocio_, rows, developed, display);
             break;
-    }
-    if (lut_) {
-        look_up(*lut_, rows.width, rows.height, display);
     }
     if (output_.grain > 0) {
         add_grain(display, {frame, glowing.width, glowing.height, first}, output_.grain);

@@ -16,7 +16,7 @@ namespace carom::pipeline {
 class DisplayView {
   public:
     /// Throws Error if the view uses OpenColorIO and $OCIO does not name a configuration, or the
-    /// configuration lacks a name of the settings, or the LUT's file is not one.
+    /// configuration lacks a name of the settings.
     explicit DisplayView(const OutputSettings& output);
 
     /// 16-bit RGB (width * height * 3), row by row from the top left, sRGB-encoded or, with
@@ -43,7 +43,6 @@ class DisplayView {
     OutputSettings output_;
     std::optional<Grade> grade_;
     std::optional<render::OcioView> ocio_;
-    std::optional<render::LutFile> lut_;
 };
 
 /// Throws Error if the view of these settings cannot be used.

@@ -19,14 +19,4 @@ void OcioView::apply(std::vector<float>& rgb, int width, int height) const {
     transform_->apply(rgb, width, height);
 }
 
-LutFile::LutFile(const std::string& path) : transform_(format_module().make_lut(path)) {}
-
-LutFile::~LutFile() = default;
-LutFile::LutFile(LutFile&&) noexcept = default;
-LutFile& LutFile::operator=(LutFile&&) noexcept = default;
-
-void LutFile::apply(std::vector<float>& rgb, int width, int height) const {
-    transform_->apply(rgb, width, height);
-}
-
 }  // namespace carom::render

@@ -36,23 +36,4 @@ class OcioView {
     std::unique_ptr<ColourTransform> transform_;
 };
 
-/// A table of colours in a file: .cube (Resolve, Iridas), .3dl, .spi3d and what else OpenColorIO
-/// reads, interpolated between its places. Immutable; any number of threads may use it.
-class LutFile {
-  public:
-    /// Throws Error if the file is not a table.
-    explicit LutFile(const std::string& path);
-    ~LutFile();
-    LutFile(const LutFile&) = delete;
-    LutFile& operator=(const LutFile&) = delete;
-    LutFile(LutFile&&) noexcept;
-    LutFile& operator=(LutFile&&) noexcept;
-
-    /// Converts width * height RGB triples in place, of [0, 1].
-    void apply(std::vector<float>& rgb, int width, int height) const;
-
-  private:
-    std::unique_ptr<ColourTransform> transform_;
-};
-
 }  // namespace carom::render

@@ -49,8 +49,6 @@ struct FormatModule {
     /// `config`: path of an OpenColorIO configuration, or a built-in one by ocio://.
     std::unique_ptr<ColourTransform> (*make_transform)(const std::string& config,
                                                        const ColourTransformNames& names);
-    /// `file`: a look-up table.
-    std::unique_ptr<ColourTransform> (*make_lut)(const std::string& file);
 };
 
 /// Loads the module at the first call. Throws Error with the reason if it cannot be loaded.

@@ -263,20 +263,12 @@ const MapSpec<OutputSettings>& output_spec() {
               "light that lens and eye scatter around bright points");
         s.key("grade", &OutputSettings::grade, record(grade_spec()),
               "a change of colours and contrast before the view");
-        s.key("lut", &OutputSettings::lut, file(FileKind::lut),
-              "a table of display colours, applied after the view: .cube, .3dl, .spi3d and others "
-              "that OpenColorIO reads");
         s.key("grain", &OutputSettings::grain, number(between(0, 20)),
               "grain of photographic film: 1 is a fine-grained 35 mm film, 3 a fast one");
         s.check([](Reader& reader, const Node& node, OutputSettings& output) {
             const Entry* ocio = node.find("ocio");
             if (ocio != nullptr && output.view != ViewTransform::ocio) {
                 reader.error(ocio->value.place, "'ocio' can only be used with 'view: ocio'");
-            }
-            const Entry* lut = node.find("lut");
-            if (lut != nullptr && output.hdr10) {
-                reader.error(lut->key_place,
-                             "'lut' has no meaning with 'hdr10', which has no view");
             }
         });
         s.key("hdr10", &OutputSettings::hdr10, record(hdr10_spec()),

@@ -19,6 +19,4 @@ namespace carom::render::formats {
 [[nodiscard]] std::unique_ptr<ColourTransform> make_transform(const std::string& config,
                                                               const ColourTransformNames& names);
 
-[[nodiscard]] std::unique_ptr<ColourTransform> make_lut(const std::string& file);
-
 }  // namespace carom::render::formats

@@ -6,6 +6,6 @@ using carom::render::FormatModule;
 extern "C" __attribute__((visibility("default"))) const FormatModule* carom_format_module() {
     namespace formats = carom::render::formats;
     static const FormatModule functions{formats::read, formats::read_size, formats::encode,
-                                        formats::make_transform, formats::make_lut};
+                                        formats::make_transform};
     return &functions;
 }

@@ -82,14 +82,4 @@ std::unique_ptr<ColourTransform> make_transform(const std::string& path,
     return std::make_unique<OcioTransform>(std::move(processor));
 }
 
-std::unique_ptr<ColourTransform> make_lut(const std::string& file) {
-    OIIO::ColorConfig config("ocio://raw");
-    OIIO::ColorProcessorHandle processor = config.createFileTransform(file);
-    if (!processor) {
-        throw Error("'" + file +
-                    "' is not a look-up table that OpenColorIO can read: " + config.geterror());
-    }
-    return std::make_unique<OcioTransform>(std::move(processor));
-}
-
 }  // namespace carom::render::formats

@@ -187,15 +187,6 @@ TEST_F(FileCheck, ChangedFile_IsReadAgain) {
     EXPECT_THAT(messages({named("a.obj", FileKind::mesh)}), IsEmpty());
 }
 
-TEST_F(FileCheck, LookUpTables_AreRead) {
-    write("good.cube", "LUT_3D_SIZE 2\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n");
-    write("bad.cube", "LUT_3D_SIZE 2\n0 0 0\n");
-    EXPECT_THAT(messages({named("good.cube", FileKind::lut)}), IsEmpty());
-    EXPECT_THAT(
-        messages({named("bad.cube", FileKind::lut)}),
-        ElementsAre(HasSubstr("bad.cube' is not a look-up table that OpenColorIO can read: ")));
-}
-
 TEST_F(FileCheck, Music_IsTriedByWhatTheProgramHas) {
     write("a.mp3", "no music");
     FileCheckOptions options;

@@ -57,32 +57,6 @@ TEST(SrgbView, ValuesOutsideTheDisplay_AreClipped) {
     }
 }
 
-TEST(Lut, ReplacesTheColoursOfTheDisplay) {
-    // Red and blue change places, green is halved; between the places it is linear.
-    const std::string path = testing::TempDir() + "carom_test.cube";
-    std::ofstream file(path);
-    file << "TITLE \"swap\"\nLUT_3D_SIZE 2\n";
-    for (const int blue : {0, 1}) {
-        for (const int green : {0, 1}) {
-            for (const int red : {0, 1}) {
-                file << blue << " " << 0.5 * green << " " << red << "\n";
-            }
-        }
-    }
-    file.close();
-    OutputSettings output;
-    output.view = ViewTransform::raw;
-    output.lut = path;
-    const std::vector<std::uint16_t> colours =
-        DisplayView(output).to_16(film_of({{0.25F, 0.5F, 1}, {0, 0.8F, 0.1F}}, 2), 0);
-    const std::vector<double> expected{1, 0.25, 0.25, 0.1, 0.4, 0};
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        EXPECT_NEAR(colours[i], 65535 * expected[i], 3) << i;
-    }
-    std::filesystem::remove(path);
-    EXPECT_THROW(DisplayView{output}, Error);
-}
-
 TEST(Exposure, OneStop_DoublesTheLight) {
     for (const ViewTransform view : {ViewTransform::srgb, ViewTransform::filmic}) {
         EXPECT_EQ(shown({0.1F, 0.2F, 0.05F}, view, 1), shown({0.2F, 0.4F, 0.1F}, view));
