@@ -1,9 +1,10 @@
 // What many lights cost: light_bench [--samples N] [--seeds N] [--width N]. A floor with balls is
-// lit from above by four lamps side by side, by a board of 5,000 light-emitting diodes as large as
-// they are together (a mesh of 10,000 triangles), and by 1,000 small spheres scattered around, at
-// rest and moving. For each it prints a row: CPU seconds, millions of rays, relMSE of the pixels
-// that do not show a light, and how many times the CPU seconds of the four lamps an equal error
-// takes: seconds times relMSE, over that of the lamps.
+// lit from above by four lamps side by side, by four disks and by four of them in shades, by a
+// board of 5,000 light-emitting diodes as large as the lamps are together (a mesh of 10,000
+// triangles), and by 1,000 small spheres scattered around, at rest and moving. For each it prints a
+// row: CPU seconds, millions of rays, relMSE of the pixels that do not show a light, and how many
+// times the CPU seconds of the four lamps an equal error takes: seconds times relMSE, over that of
+// the lamps.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -66,6 +67,33 @@ LitScene with_lamps() {
     return scene;
 }
 
+/// `shades`: with a white inside, which opens as wide as the disk that it stands for.
+LitScene with_disks(bool shades) {
+    LitScene scene = unlit(shades ? "4 shades" : "4 disks");
+    for (int i = 0; i < 4; ++i) {
+        const std::string name = fmt::format("lamp {}", i);
+        const Vec3 place(-0.9 + 0.6 * i, 0, 1.0);
+        if (!shades) {
+            render::DiskLight lamp;
+            lamp.centre = place;
+            lamp.radius = 0.2;
+            lamp.radiance = Vec3(12, 12, 12);
+            scene.builder.scene.lights.push_back({name, lamp});
+            continue;
+        }
+        render::ShadeLight lamp;
+        lamp.centre = place;
+        lamp.shape = {0.2, 0.06, 0.22, 0};
+        lamp.disk_radius = 0.1;
+        lamp.depth = 0.1;
+        lamp.radiance = Vec3(30, 30, 30);
+        scene.builder.scene.lights.push_back({name, lamp});
+        scene.builder.object(name, render::ConeShape{0.202, 0.06, 0.22}, place + Vec3(0, 0, 0.111),
+                             "floor");
+    }
+    return scene;
+}
+
 LitScene with_board() {
     LitScene scene = unlit("board of 10,000 triangles");
     render::MeshShape board;
@@ -91,12 +119,9 @@ LitScene with_board() {
     return scene;
 }
 
-LitScene with_spheres(bool moving) {
-    LitScene scene = unlit(moving ? "1,000 moving spheres" : "1,000 spheres");
-    render::StandardMaterial light;
-    light.base = Vec3(0, 0, 0);
-    light.emission = Vec3(40, 40, 40);
-    scene.builder.material("light", light);
+/// Adds 1,000 small spheres scattered around.
+void scatter_spheres(const render::StandardMaterial& surface, bool moving, LitScene& scene) {
+    scene.builder.material("light", surface);
     test::TestRandom random(5);
     const auto within = [&](double low, double high) {
         return low + (high - low) * static_cast<double>(random.unit());
@@ -113,6 +138,24 @@ LitScene with_spheres(bool moving) {
             scene.builder.object(name, render::SphereShape{0.008}, at, "light");
         }
     }
+}
+
+LitScene with_spheres(bool moving) {
+    LitScene scene = unlit(moving ? "1,000 moving spheres" : "1,000 spheres");
+    render::StandardMaterial light;
+    light.base = Vec3(0, 0, 0);
+    light.emission = Vec3(40, 40, 40);
+    scatter_spheres(light, moving, scene);
+    return scene;
+}
+
+/// What the spheres cost that do not shine: rays among them, and their shadows.
+LitScene with_lamps_among_spheres() {
+    LitScene scene = with_lamps();
+    scene.name = "4 lamps among 1,000 black spheres";
+    render::StandardMaterial black;
+    black.base = Vec3(0, 0, 0);
+    scatter_spheres(black, false, scene);
     return scene;
 }
 
@@ -211,7 +254,8 @@ int run(int argc, char** argv) {
         "| lit by | CPU s | Mrays | relMSE | CPU s at equal error |\n|---|---|---|---|---|\n");
     double lamps = 0;
     for (const LitScene& scene :
-         {with_lamps(), with_board(), with_spheres(false), with_spheres(true)}) {
+         {with_lamps(), with_disks(false), with_disks(true), with_board(),
+          with_lamps_among_spheres(), with_spheres(false), with_spheres(true)}) {
         if (!scene.name.starts_with(only)) {
             continue;
         }

@@ -82,6 +82,19 @@ struct LightInWay {
         return std::abs(hit.dot(light.edge_u)) < light.edge_u.length2() &&
                std::abs(hit.dot(light.edge_v)) < light.edge_v.length2();
     }
+    /// Whether the way crosses a disk from its front.
+    [[nodiscard]] bool crosses(const Vec3& centre, const Vec3& normal, double radius) const {
+        const double height = normal.dot(way.from - centre);
+        const double fraction = -height / normal.dot(way.along);
+        return height > 0 && fraction > 0 && fraction < 1 &&
+               (way.from + fraction * way.along - centre).length() < radius;
+    }
+    bool operator()(const render::DiskLight& light) const {
+        return crosses(light.centre, light.normal, light.radius);
+    }
+    bool operator()(const render::ShadeLight& light) const {
+        return crosses(light.centre, light.normal, light.shape.radius);
+    }
     template <class Other>
     bool operator()(const Other& /*without a surface*/) const {
         return false;

@@ -96,8 +96,10 @@ void ThingsCheck::add_light(const render::LightDescription& light) {
             box.extendBy(flat->centre + half);
             box.extendBy(flat->centre - half);
         }
+    } else if (const auto* disk = std::get_if<render::DiskLight>(&light.light)) {
+        box = {disk->centre - Vec3(disk->radius), disk->centre + Vec3(disk->radius)};
     } else {
-        return;
+        return;  // a shade is an object too
     }
     things_.push_back({.box = box});
 }

@@ -132,6 +132,14 @@ FileReading reading_of(const CheckCommand& command) {
     return command.full ? FileReading::full : FileReading::usual;
 }
 
+/// Prints the light on the table of a shot without errors.
+void show_table_light(const pipeline::Shot& shot, CommandContext& context) {
+    if (!shot.world.table) {
+        throw InputError("--lux: the shot has no table");
+    }
+    print_text(context.table_light(shot));
+}
+
 /// `by_header` gets a sentence about files of which only the headers were read.
 std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContext& context,
                                       std::string& by_header) {
@@ -155,6 +163,9 @@ std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContex
             if (const auto bake = check_motion(*checked.input, command, context, problems)) {
                 check_loudness(*checked.input, *bake, context, problems);
             }
+        }
+        if (command.lux && !pipeline::has_errors(problems)) {
+            show_table_light(shot, context);
         }
     }
     return std::move(problems);
@@ -209,7 +220,13 @@ std::string json_of(const std::vector<Problem>& problems) {
 }  // namespace
 
 void run(const CheckCommand& command, CommandContext& context) {
+    require_film_program(command.lux, context);
     std::string by_header;
+    if (command.lux && (command.json || is_sequence(command.input))) {
+        throw InputError(
+            "--lux prints a table for one shot: not with --json, and not for a film "
+            "of several shots");
+    }
     const std::vector<Problem> problems = is_sequence(command.input)
                                               ? problems_of_sequence(command, context, by_header)
                                               : problems_of_shot(command, context, by_header);

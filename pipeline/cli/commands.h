@@ -227,6 +227,7 @@ struct CheckCommand {
     bool json = false;
     bool quick = false;  // skip checks that need a simulation
     bool full = false;   // read also large files whole
+    bool lux = false;    // print the light on the table
 };
 void describe(CheckCommand& command, CommandDescription& description);
 void run(const CheckCommand& command, CommandContext& context);

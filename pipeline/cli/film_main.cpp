@@ -1,5 +1,6 @@
 // The program libexec/carom/carom-film, which runs the commands that render. bin/carom executes it
 // with its own arguments.
+#include "pipeline/check/table_light.h"
 #include "pipeline/check/text_check.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/encoded_sound.h"
@@ -42,6 +43,9 @@ int main(int argument_count, char** arguments) {
                 context.music = carom::pipeline::music_of;
                 context.text_problems = carom::pipeline::text_problems;
                 context.view = carom::pipeline::try_view;
+                context.table_light = [](const carom::pipeline::Shot& shot) {
+                    return text_of(carom::pipeline::light_on_table(shot));
+                };
                 if (const auto* check = std::get_if<CheckCommand>(&command)) {
                     return run(*check, context);
                 }

@@ -70,6 +70,8 @@ struct CommandContext {
     FindTextProblems text_problems = nullptr;
     /// Prepares the view of a film, and throws Error if it cannot be used; null likewise.
     void (*view)(const pipeline::OutputSettings& output) = nullptr;
+    /// What check says about the light on a shot's table; null in the program without a renderer.
+    std::string (*table_light)(const pipeline::Shot& shot) = nullptr;
 };
 
 /// Runs a command of the programs `here`. Commands of other programs are not linked; for these it

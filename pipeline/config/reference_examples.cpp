@@ -358,6 +358,13 @@ stick: {length: 1.48 m, tip: 12.5 mm}
     standard:
       base: {wood: {light: [0.44, 0.27, 0.13], dark: [0.23, 0.12, 0.05], ring: 5 mm}}
 )"},
+        {"smudges", R"(materials:
+  ball:
+    standard:
+      roughness: 0.1
+      specular: {smudges: {amount: 0.4, seed: 2}, range: [0.35, 0.8]}
+      coat: {ior: 1.6}
+)"},
         {"checker", R"(materials:
   floor:
     standard:
@@ -382,6 +389,15 @@ objects:
   lamp: {rectangle: [1.7 m, 0.4 m], at: [0, 0, 1.05], facing: [0, 0, -1], radiance: [13, 12, 10]}
   evening: {spot: [26, 24, 20], at: [-0.5, -1, 1.6], facing: [0.5, 1, -1], angle: [16 deg, 24 deg]}
   room: {environment: 0.05}
+)"},
+        {"shade", R"(lights:
+  pendant:
+    shade: {radius: 20 cm, top_radius: 4 cm, height: 22 cm, bulge: 0.7, disk: 12 cm, depth: 8 cm}
+    at: [0, 0, 1.05]
+    lumens: 2600
+)"},
+        {"tube", R"(lights:
+  tube: {tube: {length: 1.2 m, radius: 13 mm}, at: [0, 0, 1.6], lumens: 2500}
 )"},
         {"sky", R"(lights:
   sky: {environment: {sun: [-0.75, -0.8, 0.5], turbidity: 2.6, ground: [0.06, 0.1, 0.04]}}

@@ -15,6 +15,7 @@
 #include "pipeline/shot/ball_set.h"
 #include "pipeline/shot/cue_stick.h"
 #include "pipeline/shot/keyed_motion.h"
+#include "pipeline/shot/lamp.h"
 #include "pipeline/shot/sound_settings.h"
 #include "pipeline/solve/solver.h"
 #include "pipeline/video/output_settings.h"
@@ -190,7 +191,7 @@ struct ShotFile {
     std::vector<SolveSection> solve;  // in the order in which they are found
     std::vector<OpenStrike> open;     // of these
     std::vector<Named<render::MaterialDescription>> materials;  // their own names are empty
-    std::vector<Named<render::LightDescription>> lights;        // without names
+    std::vector<Named<Lamp>> lights;                            // without their names
     std::optional<StickSection> stick;
     std::vector<CameraRig> cameras;
     Place cameras_place;

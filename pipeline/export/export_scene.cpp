@@ -22,6 +22,7 @@
 #include "pipeline/export/painted_sphere.h"
 #include "pipeline/export/shape_mesh.h"
 #include "render/geometry/smooth_normals.h"
+#include "render/light/light_power.h"
 
 namespace carom::pipeline {
 
@@ -214,12 +215,25 @@ class SceneBuilder {
             add_mesh(part, shape_mesh(render::SphereShape{sphere->radius}), {});
             part.keys.add(scene_.start_time, place_of(sphere->centre), Quat());
             glow.emission = sphere->radiance;
+        } else if (const auto* disk = std::get_if<render::DiskLight>(&light.light)) {
+            add_disk(part, disk->centre, disk->normal, disk->radius);
+            glow.emission = disk->radiance;
+        } else if (const auto* shade = std::get_if<render::ShadeLight>(&light.light)) {
+            add_disk(part, shade->centre, shade->normal, shade->shape.radius);
+            glow.emission = render::mean_radiance(*shade);
         } else {
             return;
         }
         part.mesh.uv.clear();
         part.patches = {{0, part.mesh.triangles.size(), material(std::move(glow))}};
         scene_.lamps.push_back(std::move(part));
+    }
+
+    void add_disk(ExportPart& part, const Vec3& centre, const Vec3& normal, double radius) {
+        Quat turn;
+        turn.setRotation(Vec3(0, 0, 1), normal);
+        add_mesh(part, shape_mesh(render::DiskShape{radius}), turn.toMatrix44());
+        part.keys.add(scene_.start_time, place_of(centre), Quat());
     }
 
     [[nodiscard]] Vec3 place_of(const Vec3& centre) const {

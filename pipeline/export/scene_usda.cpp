@@ -10,6 +10,7 @@
 
 #include "pipeline/export/usda_materials.h"
 #include "pipeline/export/usda_text.h"
+#include "render/light/light_power.h"
 
 namespace carom::pipeline {
 
@@ -257,6 +258,13 @@ class UsdaWriter {
             open_light("SphereLight", light.name, sphere->radiance);
             number("inputs:radius", sphere->radius);
             write_place(sphere->centre, Quat());
+        } else if (const auto* disk = std::get_if<render::DiskLight>(&light.light)) {
+            write_disk(light.name, disk->centre, disk->normal, disk->radius, disk->radiance);
+            return;
+        } else if (const auto* shade = std::get_if<render::ShadeLight>(&light.light)) {
+            write_disk(light.name, shade->centre, shade->normal, shade->shape.radius,
+                       render::mean_radiance(*shade));
+            return;
         } else if (const auto* sun = std::get_if<render::DirectionalLight>(&light.light)) {
             open_light("DistantLight", light.name, sun->irradiance);
             write_place({0, 0, 0}, light_rotation(sun->direction));
@@ -273,6 +281,14 @@ class UsdaWriter {
         } else if (!write_dome(light)) {
             return;
         }
+        text_.close();
+    }
+
+    void write_disk(const std::string& name, const Vec3& centre, const Vec3& normal, double radius,
+                    const Vec3& radiance) {
+        open_light("DiskLight", name, radiance);
+        number("inputs:radius", radius);
+        write_place(centre, light_rotation(normal));
         text_.close();
     }
 

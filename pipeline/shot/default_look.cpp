@@ -87,6 +87,8 @@ std::vector<MaterialDescription> make_materials() {
         {"stick_butt", lacquered(Vec3(0.07, 0.022, 0.014), 0.05)},
         {"stick_wrap", matt(Vec3(0.03, 0.03, 0.032), 0.8)},
         {"stick_bumper", matt(Vec3(0.012, 0.012, 0.012), 0.7)},
+        {"lamp_shade", lacquered(Vec3(0.016, 0.085, 0.046), 0.06)},  // green enamel
+        {"lamp_housing", brushed_metal(Vec3(0.60, 0.60, 0.62))},
         {"plain", matt(Vec3(0.5, 0.5, 0.5), 0.5)},
     };
 }

@@ -18,11 +18,11 @@ void end_if_stopped(const std::stop_token& stop) {
     }
 }
 
-render::Film glowing(const render::Film& film, const pipeline::GlowSettings& glow,
+render::Film glowing(const render::Film& film, const pipeline::OutputSettings& output,
                      const std::stop_token& stop) {
     render::Film result = film;
-    if (glow.strength > 0) {
-        const pipeline::GlowFilter filter(glow, film.width, film.height);
+    if (output.glow.is_seen()) {
+        const pipeline::GlowFilter filter(output.glow, output.exposure, film.width, film.height);
         render::parallel_for(3, [&](std::size_t channel) {
             if (!stop.stop_requested()) {
                 filter.apply(film, channel, result);
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> display_rgba(const render::Film& film,
                                        const pipeline::DisplayView& view, std::int64_t frame,
                                        const pipeline::DrawOver& draw_over,
                                        const std::stop_token& stop) {
-    const render::Film source = glowing(film, output.glow, stop);
+    const render::Film source = glowing(film, output, stop);
     const auto width = static_cast<std::size_t>(film.width);
     const auto height = static_cast<std::size_t>(film.height);
     std::vector<std::uint8_t> rgb(3 * width * height);

@@ -17,16 +17,26 @@ bool has_key(const pipeline::config::Node& root, const char* section, const std:
     return entry != nullptr && entry->value.find(name) != nullptr;
 }
 
+/// The part of a lamp is named after it.
+std::string lamp_of(const pipeline::config::Node& root, const std::string& name) {
+    const std::string lamp = name.substr(0, name.find('/'));
+    return lamp != name && has_key(root, "lights", lamp) ? lamp : "";
+}
+
 std::string kind_of(const pipeline::config::Node& root, const std::string& name) {
     if (name.starts_with("table/") || name.starts_with(pipeline::kStickPrefix)) {
         return "table";
     }
-    return has_key(root, "objects", name) ? "object" : "ball";
+    return has_key(root, "objects", name) || !lamp_of(root, name).empty() ? "object" : "ball";
 }
 
-KeyPath path_of(const std::string& kind, const std::string& name) {
+KeyPath path_of(const pipeline::config::Node& root, const std::string& kind,
+                const std::string& name) {
     if (kind == "table") {
         return {"table"};
+    }
+    if (const std::string lamp = lamp_of(root, name); !lamp.empty()) {
+        return {"lights", lamp};
     }
     return {kind == "ball" ? "balls" : "objects", name};
 }
@@ -65,7 +75,7 @@ std::vector<SceneObject> object_messages(const pipeline::Shot& shot,
         SceneObject message;
         message.name = object.name;
         message.kind = kind_of(source.root(), object.name);
-        message.path = path_of(message.kind, object.name);
+        message.path = path_of(source.root(), message.kind, object.name);
         message.shape = std::visit([](const auto& shape) { return shape.kName; }, object.shape);
         message.moves = !object.track.empty() && timeline.find(object.track) != nullptr;
         if (message.moves && object.track != object.name) {

@@ -35,6 +35,11 @@ void add_light(FieldHasher& hasher, const render::LightDescription& light) {
         hasher.add(rectangle->normal).add(rectangle->radiance);
     } else if (const auto* sphere = std::get_if<render::SphereLight>(&light.light)) {
         hasher.add(light.name).add(sphere->radius).add(sphere->radiance);
+    } else if (const auto* disk = std::get_if<render::DiskLight>(&light.light)) {
+        hasher.add(light.name).add(disk->radius).add(disk->normal).add(disk->radiance);
+    } else if (const auto* shade = std::get_if<render::ShadeLight>(&light.light)) {
+        hasher.add(light.name);
+        hasher.add_value(*shade);
     }
 }
 

@@ -136,6 +136,8 @@ void fill(const Light& light, SceneLight& message) {
         message.size = {2 * light.edge_u.length(), 2 * light.edge_v.length()};
     } else if constexpr (requires { light.radius; }) {
         message.size = {light.radius};
+    } else if constexpr (requires { light.shape.radius; }) {
+        message.size = {light.shape.radius};
     } else if constexpr (requires { light.inner_angle; }) {
         message.size = {light.inner_angle, light.outer_angle};
     }

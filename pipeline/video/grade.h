@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "pipeline/video/output_settings.h"
@@ -18,6 +19,10 @@ namespace carom::pipeline {
 /// channel v, max(v slope + offset, 0)^power; then the saturation, around the luma of Rec.709. It
 /// acts on the logarithm of light, in the encoding of ACEScct (AMPAS S-2016-001, section 4.4), so
 /// that an offset of 1/17.52 is a stop and nothing above white is cut off, whatever the view.
+///
+/// The white balance comes first: it turns the light of a black body (Kim et al. 2002, US patent
+/// 7024034, for its chromaticity) into the white of Rec.709 with the same luminance, by the
+/// adaptation of Bradford (Lam 1985; ICC.1:2022, annex E).
 class Grade {
   public:
     using Colour = std::array<float, 3>;
@@ -40,6 +45,10 @@ class Grade {
         std::vector<float> table_;
     };
 
+    using Matrix = std::array<Colour, 3>;  // rows
+    static Matrix balance_for(double temperature);
+
+    std::optional<Matrix> balance_;
     std::array<LogarithmicTable, 3> graded_;  // the encoded channel, by its light
     std::vector<float> light_;                // of encoded channels
     float saturation_;

@@ -104,8 +104,9 @@ std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettin
     static const PqTable pq;
     CAROM_ASSERT(output.hdr10.has_value());
     const Hdr10Settings& settings = *output.hdr10;
-    const bool glows = output.glow.strength > 0;
-    const render::Film glowing = glows ? with_glow(film, output.glow) : render::Film{};
+    const bool glows = output.glow.is_seen();
+    const render::Film glowing =
+        glows ? with_glow(film, output.glow, output.exposure) : render::Film{};
     const std::vector<float>& rgba = glows ? glowing.rgba : film.rgba;
     const double exposure = exponential2(output.exposure);
     std::optional<Grade> grade;

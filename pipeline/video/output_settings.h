@@ -28,14 +28,18 @@ struct OcioSettings {
 struct GlowSettings {
     double strength = 0;   // fraction of all light that is scattered, [0, 1]; 0: none
     double radius = 0.04;  // of the widest part of the glow, in picture heights, (0, 1]
+    double halation = 0;   // red halo of film around bright light, [0, 10]; 1: ordinary film
+
+    [[nodiscard]] bool is_seen() const { return strength > 0 || halation > 0; }
 };
 
 /// See grade.h; by channel.
 struct GradeSettings {
-    Vec3 slope{1, 1, 1};    // [0, 16]
-    Vec3 offset{0, 0, 0};   // of the encoded light, [-1, 1]
-    Vec3 power{1, 1, 1};    // (0, 16]
-    double saturation = 1;  // [0, 4]
+    Vec3 slope{1, 1, 1};                    // [0, 16]
+    Vec3 offset{0, 0, 0};                   // of the encoded light, [-1, 1]
+    Vec3 power{1, 1, 1};                    // (0, 16]
+    double saturation = 1;                  // [0, 4]
+    std::optional<double> white_balance{};  // K, of the light that shall look white, [1667, 25000]
 };
 
 /// See render/denoise/denoise.h.

@@ -165,8 +165,8 @@ DisplayView::DisplayView(const OutputSettings& output) : output_(output) {
 }
 
 std::vector<std::uint16_t> DisplayView::to_16(const render::Film& film, std::int64_t frame) const {
-    return output_.glow.strength > 0
-               ? rows_to_16(with_glow(film, output_.glow), 0, film.height, frame)
+    return output_.glow.is_seen()
+               ? rows_to_16(with_glow(film, output_.glow, output_.exposure), 0, film.height, frame)
                : rows_to_16(film, 0, film.height, frame);
 }
 

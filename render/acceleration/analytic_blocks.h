@@ -80,7 +80,7 @@ struct MappedBlock {
         {},
         {},
         {FloatLanes::all(kInfinity), FloatLanes::all(kInfinity), FloatLanes::all(kInfinity)}};
-    FloatLanes one_sided;  // rectangles: 1 if rays from below, z < 0, pass; otherwise 0
+    FloatLanes one_sided;  // rectangles and disks: 1 if rays from below, z < 0, pass; otherwise 0
     ObjectLanes object;
 
     void set_map(int lane, const Affine& unit_from_world);

@@ -28,7 +28,7 @@ struct SceneObject {
     bool has_texture = false;
     bool is_round = false;        // a sphere with three equal radii
     bool is_upright_box = false;  // a box along the world's axes, in their order
-    bool is_one_sided = false;    // a rectangle light
+    bool is_one_sided = false;    // a flat light
     V3f half_size{1, 1, 1};       // m: lengths of the unit shape's axes, so a sphere's radii
     float bounding_radius = 1;    // largest distance of its surface from the body's origin, m
     UnitFrame frame;              // of analytic shapes, and of meshes with axes of their own

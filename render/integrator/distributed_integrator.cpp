@@ -173,7 +173,9 @@ void DistributedIntegrator::process_hits(Forest& forest, Generation& all, int ge
         }
         if (scene_.is_light(hit)) {
             result.radiance +=
-                rays.throughput.get(i) * scene_.lights.emitted(scene_.light_of(hit), -direction);
+                rays.throughput.get(i) *
+                scene_.lights.emitted(scene_.light_of(hit), rays.origin.get(i) + direction * hit.t,
+                                      -direction);
         } else {
             forest.hit_rays.add(i);
         }

@@ -313,9 +313,11 @@ void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
 
 V3f PathIntegrator::found_light(std::size_t light, int index, const Hit& hit, const V3f& normal,
                                 Wave& wave) const {
+    const PathQueue& paths = wave.paths();
+    const V3f direction = paths.direction.get(index);
     return scalar::radiance_of_light<scalar::One>(
-        wave_scene_, wave_scene_.all_lights[static_cast<std::int64_t>(light)], wave.paths(), index,
-        {wave.paths().direction.get(index), hit.t, normal,
+        wave_scene_, wave_scene_.all_lights[static_cast<std::int64_t>(light)], paths, index,
+        {paths.origin.get(index) + direction * hit.t, direction, hit.t, normal,
          static_cast<std::int32_t>(hit.primitive)});
 }
 

@@ -29,10 +29,13 @@ constexpr float kSmallLamp = 0.02f;
 // reflectance of the sphere.
 bool from_area(const TransportScene& scene, std::size_t light, const LastLeg& leg,
                const LightPoint& target, SpecularConnection& connection) {
-    const V3f emitted = scene.lights.emitted(light, -connection.light_direction);
     connection.light_distance = scalar::distance_to_area_light<One>(
         scene.lights.area_light(light), connection.origin, connection.light_direction, leg.length);
-    if (!(luminance(emitted) > 0) || connection.light_distance < 0) {
+    if (connection.light_distance < 0) {
+        return false;
+    }
+    const V3f emitted = scene.lights.emitted(light, target.position, -connection.light_direction);
+    if (!(luminance(emitted) > 0)) {
         return false;
     }
     connection.solid_angle =

@@ -4,6 +4,7 @@
 
 #include "core/colour.h"
 #include "render/geometry/constants.h"
+#include "render/light/shade_inside.h"
 
 namespace carom::render {
 namespace {
@@ -25,7 +26,43 @@ void set_surface(AreaLight& surface, const RectangleLight& light) {
     made.normal = V3f(n);
     made.area = 4.0f * made.edge_u.length() * made.edge_v.length();
     made.radius = (made.edge_u + made.edge_v).length();
+    made.beam = static_cast<float>(light.beam);
+    made.intensity = luminance(made.radiance) * made.area * (0.5f * made.beam + 1);
+}
+
+/// A unit vector at right angles to the unit `normal`.
+Vec3 across(const Vec3& normal) {
+    const Vec3 other = std::abs(normal.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
+    return other.cross(normal).normalized();
+}
+
+void set_disk(AreaLight& surface, const Vec3& centre, const Vec3& normal, double radius) {
+    const Vec3 u = across(normal) * radius;
+    const Vec3 v = normal.cross(u);
+    surface.world_from_unit = Mat44(u.x, u.y, u.z, 0, v.x, v.y, v.z, 0, normal.x, normal.y,
+                                    normal.z, 0, centre.x, centre.y, centre.z, 1);
+    AreaLightConstants& made = surface.constants;
+    made.kind = ShapeKind::disk;
+    made.is_one_sided = true;
+    made.edge_u = V3f(u);
+    made.edge_v = V3f(v);
+    made.normal = V3f(normal);
+    made.radius = static_cast<float>(radius);
+    made.area = kPi * made.radius * made.radius;
     made.intensity = luminance(made.radiance) * made.area;
+}
+
+void set_surface(AreaLight& surface, const DiskLight& light) {
+    set_disk(surface, light.centre, light.normal, light.radius);
+    surface.constants.beam = static_cast<float>(light.beam);
+    surface.constants.intensity *= 0.5f * surface.constants.beam + 1;
+}
+
+void set_surface(AreaLight& surface, const ShadeLight& light) {
+    const ShadeInside inside = shade_inside(light);
+    surface.constants.shade = inside.constants;
+    surface.constants.radiance = V3f(inside.mean_radiance);
+    set_disk(surface, light.centre, light.normal, light.shape.radius);
 }
 
 void set_surface(AreaLight& surface, const SphereLight& light) {
@@ -64,7 +101,9 @@ std::optional<AreaLight> area_light_of(const LightDescription& description) {
         if constexpr (requires { set_surface(surface, light); }) {
             surface.constants.centre = V3f(light.centre);
             surface.constants.radiance = V3f(light.radiance);
-            surface.constants.has_falloff = light.falloff == Falloff::inverse_square;
+            if constexpr (requires { light.falloff; }) {
+                surface.constants.has_falloff = light.falloff == Falloff::inverse_square;
+            }
             set_surface(surface, light);
             return surface;
         }

@@ -13,6 +13,24 @@ namespace carom::render {
 /// surface's horizon, so that such a light is still chosen sometimes.
 inline constexpr float kLeastHorizonCosine = 0.1f;
 
+/// What is seen through the opening of a lamp's shade, for kernels: a body of revolution behind the
+/// light's disk, closed by a ceiling with an opal disk in its middle. Radiances in W/(m^2 sr).
+struct ShadeConstants {
+    static constexpr int kNodes = 8;
+
+    float depth = 0;       // m, of the ceiling behind the opening; 0: no shade
+    V3f squares{0, 0, 0};  // the square of its radius at height z is x + y z + z z^2
+    float disk_radius = 0;
+    float disk2 = 0;        // its square
+    float edge2 = 0;        // the square of the ceiling's
+    float disk_chance = 0;  // that a sample is one of the disk, below 1
+    V3f disk{0, 0, 0}, ceiling{0, 0, 0};
+    /// Of the wall, at equal steps of height from the opening to the ceiling; linear between.
+    V3f wall[kNodes] = {};
+};
+/// How much further than the radius squared, relatively, points still count as in the opening.
+inline constexpr float kOpeningMargin = 1.0001f;
+
 /// A light with a surface, for kernels. Its shape is a unit shape (shape_list.h) under an affine
 /// map.
 struct AreaLightConstants {
@@ -21,13 +39,16 @@ struct AreaLightConstants {
     bool is_round = false;  // sampled over the cone that a sphere subtends
     bool has_falloff = true;
     V3f centre{0, 0, 0};
-    V3f edge_u{1, 0, 0}, edge_v{0, 1, 0};  // half sides
+    V3f edge_u{1, 0, 0}, edge_v{0, 1, 0};  // half sides; of a disk two radii
     V3f normal{0, 0, 1};
     V3f parameters{0, 0, 0};  // of the unit shape
-    V3f radiance{0, 0, 0};    // W/(m^2 sr), on the side that shines
-    float area = 0;           // m^2
-    float radius = 1;         // of a sphere around the centre that contains the light, m
-    float intensity = 0;      // luminous power per steradian straight ahead
+    V3f radiance{0, 0,
+                 0};       // W/(m^2 sr), on the side that shines; that of a matt light of its power
+    float beam = 0;        // of a flat light: its radiance ~ cosine^beam
+    ShadeConstants shade;  // of a disk
+    float area = 0;        // m^2
+    float radius = 1;      // of a sphere around the centre that contains the light, m
+    float intensity = 0;   // luminous power per steradian straight ahead
 };
 
 /// A DeltaLight as plain data, for kernels.

@@ -70,8 +70,8 @@ std::optional<LightBounds> bounds_of(const Light& light) {
     return object != nullptr ? std::optional(object->bounds()) : std::nullopt;
 }
 
-V3f LightSet::emitted(std::size_t light, const V3f& direction) const {
-    return scalar::emitted_by_area_light<One>(area_light(light), direction);
+V3f LightSet::emitted(std::size_t light, const V3f& position, const V3f& direction) const {
+    return scalar::emitted_by_area_light<One>(area_light(light), position, direction);
 }
 
 }  // namespace carom::render

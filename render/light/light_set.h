@@ -76,9 +76,9 @@ class LightSet {
     /// By whose brightness directions are sampled; mostly that of the environment itself.
     [[nodiscard]] const Environment& directions() const { return *directions_; }
 
-    /// Radiance of an area light towards the unit `direction`, away from the light, as cameras and
-    /// specular reflections see it.
-    [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
+    /// Radiance of an area light from its point `position` towards the unit `direction`, away from
+    /// the light, as cameras and specular reflections see it.
+    [[nodiscard]] V3f emitted(std::size_t light, const V3f& position, const V3f& direction) const;
 
   private:
     std::vector<Light> lights_;

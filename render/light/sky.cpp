@@ -9,6 +9,7 @@
 
 #include "core/elementary.h"
 #include "core/error.h"
+#include "render/light/light_power.h"
 
 namespace carom::render {
 
@@ -17,7 +18,6 @@ namespace {
 constexpr int kColumns = 512;
 constexpr int kRows = 256;
 constexpr double kPi64 = std::numbers::pi;
-constexpr double kLumensPerWatt = 179;
 constexpr double kLowest = 0.02;  // cosine to the zenith; at the horizon the model has a pole
 
 /// Cosine and angle (rad) between a direction and the sun.

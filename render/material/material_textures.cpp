@@ -21,6 +21,7 @@ TextureNeeds needs_of(const TextureData& texture) {
         case TextureKind::mix:
             return {};
         case TextureKind::ball:
+        case TextureKind::smudges:
             return {true, false, false, false};
         case TextureKind::image:
         case TextureKind::normals:

@@ -34,21 +34,31 @@ template <class Light>
     return {};
 }
 
+/// The problem of the directional profile of a flat light.
+[[nodiscard]] inline LightProblem problem_of_beam(double beam) {
+    return beam >= 0 && beam <= 100 ? LightProblem{}
+                                    : LightProblem{"beam", "the exponent is not from 0 to 100"};
+}
+
 /// One-sided: radiates from the side of its normal, from which the camera and reflections see it.
 struct RectangleLight {
     static constexpr std::string_view kKind = "rectangle";
     Vec3 centre{0, 0, 1};
     Vec3 edge_u{0.5, 0, 0};  // half edges, orthogonal; the light spans centre +- edge_u +- edge_v
     Vec3 edge_v{0, 0.5, 0};
-    Vec3 normal{0, 0, -1};   // unit, orthogonal to both
-    Vec3 radiance{1, 1, 1};  // W/(m^2 sr)
+    Vec3 normal{0, 0, -1};  // unit, orthogonal to both
+    /// W/(m^2 sr), of a matt light of the same power: with a `beam` n the radiance at an angle from
+    /// the normal is (n + 2) / 2 x cosine^n times this.
+    Vec3 radiance{1, 1, 1};
     Falloff falloff = Falloff::inverse_square;
+    double beam = 0;  // 0: matt, as bright from all sides; [0, 100]
 };
 constexpr auto fields_of(Describes<RectangleLight>) {
     using T = RectangleLight;
     return fields<T>(field("centre", &T::centre), field("edge_u", &T::edge_u),
                      field("edge_v", &T::edge_v), field("normal", &T::normal),
-                     field("radiance", &T::radiance), field("falloff", &T::falloff));
+                     field("radiance", &T::radiance), field("falloff", &T::falloff),
+                     field("beam", &T::beam));
 }
 [[nodiscard]] inline LightProblem problem_of(const RectangleLight& light) {
     constexpr double kLargestSkew = 1e-6;  // cosine between two sides
@@ -65,7 +75,101 @@ constexpr auto fields_of(Describes<RectangleLight>) {
         return {"rectangle",
                 "edges and normal of the rectangle are not at right angles to each other"};
     }
-    return {};
+    return problem_of_beam(light.beam);
+}
+
+/// One-sided, as a rectangle.
+struct DiskLight {
+    static constexpr std::string_view kKind = "disk";
+    Vec3 centre{0, 0, 1};
+    double radius = 0.1;     // m, > 0
+    Vec3 normal{0, 0, -1};   // unit
+    Vec3 radiance{1, 1, 1};  // W/(m^2 sr), as that of a rectangle
+    Falloff falloff = Falloff::inverse_square;
+    double beam = 0;  // as that of a rectangle
+};
+constexpr auto fields_of(Describes<DiskLight>) {
+    using T = DiskLight;
+    return fields<T>(field("centre", &T::centre), field("radius", &T::radius),
+                     field("normal", &T::normal), field("radiance", &T::radiance),
+                     field("falloff", &T::falloff), field("beam", &T::beam));
+}
+[[nodiscard]] inline LightProblem problem_of(const DiskLight& light) {
+    if (!(light.radius > 0 && std::isfinite(light.radius))) {
+        return {"disk", "the radius is not above 0"};
+    }
+    return problem_of_beam(light.beam);
+}
+
+/// The inside of a lamp's shade: a convex body of revolution, open at z = 0. The square of its
+/// radius is a mixture of a cone's and a paraboloid's, so that rays meet it by a quadratic
+/// equation.
+struct ShadeShape {
+    double radius = 0.2;  // of the opening, m, > 0
+    double top_radius = 0.06;
+    double height = 0.2;  // m, > 0
+    double bulge = 0;     // from a cone, 0, to a bell, 1
+
+    /// The coefficients of 1, z and z^2 of the square of the radius at a height.
+    [[nodiscard]] Vec3 squares() const {
+        const double slope = (top_radius - radius) / height;
+        const double of_bell = slope * (top_radius + radius);
+        return {radius * radius, (1 - bulge) * 2 * radius * slope + bulge * of_bell,
+                (1 - bulge) * slope * slope};
+    }
+    [[nodiscard]] double radius_at(double z) const {
+        const Vec3 c = squares();
+        return std::sqrt(std::max(0.0, c.x + z * (c.y + z * c.z)));
+    }
+};
+constexpr auto fields_of(Describes<ShadeShape>) {
+    using T = ShadeShape;
+    return fields<T>(field("radius", &T::radius), field("top_radius", &T::top_radius),
+                     field("height", &T::height), field("bulge", &T::bulge));
+}
+
+/// A lamp in an opaque shade, as its opening shows it: an opal disk in a ceiling inside, and a wall
+/// that the disk lights. The ceiling and the wall are matt, and brighter by the light that they
+/// send each other. The outside is an object of its own.
+struct ShadeLight {
+    static constexpr std::string_view kKind = "shade";
+    Vec3 centre{0, 0, 1};   // of the opening
+    Vec3 normal{0, 0, -1};  // unit, out of the opening
+    ShadeShape shape;
+    double disk_radius = 0.15;   // m, of the opal disk; at most that of the shade at its depth
+    double depth = 0.03;         // m, of the ceiling with the disk from the opening; (0, height]
+    Vec3 albedo{0.8, 0.8, 0.8};  // of the inside; [0, 0.99]
+    Vec3 radiance{1, 1, 1};      // of the disk, W/(m^2 sr)
+};
+constexpr auto fields_of(Describes<ShadeLight>) {
+    using T = ShadeLight;
+    return fields<T>(field("centre", &T::centre), field("normal", &T::normal),
+                     field("shape", &T::shape), field("disk_radius", &T::disk_radius),
+                     field("depth", &T::depth), field("albedo", &T::albedo),
+                     field("radiance", &T::radiance));
+}
+[[nodiscard]] inline LightProblem problem_of(const ShadeLight& light) {
+    const ShadeShape& shape = light.shape;
+    const bool has_size = shape.radius > 0 && shape.height > 0 && shape.top_radius >= 0 &&
+                          std::isfinite(shape.radius + shape.height + shape.top_radius);
+    if (!has_size) {
+        return {"shade", "the radius or the height is not above 0"};
+    }
+    if (!(shape.bulge >= 0 && shape.bulge <= 1)) {
+        return {"bulge", "the bulge is not from 0 to 1"};
+    }
+    if (!(light.depth > 0 && light.depth <= shape.height)) {
+        return {"depth", "the disk does not lie between the opening and the top of the shade"};
+    }
+    if (!(light.disk_radius > 0 &&
+          light.disk_radius <= shape.radius_at(light.depth) * (1 + 1e-9))) {
+        return {"disk", "the disk does not fit into the shade at its depth"};
+    }
+    const auto is_albedo = [](double x) { return x >= 0 && x <= 0.99; };
+    const bool reflects_less =
+        is_albedo(light.albedo.x) && is_albedo(light.albedo.y) && is_albedo(light.albedo.z);
+    return reflects_less ? LightProblem{}
+                         : LightProblem{"albedo", "the inside's albedo is not from 0 to 0.99"};
 }
 
 struct SphereLight {
@@ -173,7 +277,7 @@ constexpr auto fields_of(Describes<DirectionalLight>) {
 struct LightDescription {
     std::string name;
     std::variant<RectangleLight, SphereLight, EnvironmentLight, PointLight, SpotLight,
-                 DirectionalLight>
+                 DirectionalLight, DiskLight, ShadeLight>
         light;
 };
 constexpr auto fields_of(Describes<LightDescription>) {

@@ -87,6 +87,11 @@ struct ClothTexture {
     Vec3 colour{0.02, 0.22, 0.14};
     double thread = 0.0004;   // spacing of the weave, m
     double variation = 0.15;  // relative
+    double wear = 0;          // [0, 1]: chalk, tracks of balls, burns
+    int seed = 0;             // of the wear
+    Vec2 bed{0, 0};  // half the length and width of the table's field, around the origin; 0: wear
+                     // is the same everywhere
+    double nap = 0;  // [-1, 1]: by how much it is brighter seen against the nap, which lies along x
     Placement placement{};
 
     [[nodiscard]] Vec3 mean_colour() const { return colour; }
@@ -94,7 +99,9 @@ struct ClothTexture {
 constexpr auto fields_of(Describes<ClothTexture>) {
     using T = ClothTexture;
     return fields<T>(field("colour", &T::colour), field("thread", &T::thread),
-                     field("variation", &T::variation), field("placement", &T::placement));
+                     field("variation", &T::variation), field("wear", &T::wear),
+                     field("seed", &T::seed), field("bed", &T::bed), field("nap", &T::nap),
+                     field("placement", &T::placement));
 }
 
 struct WoodTexture {
@@ -126,11 +133,24 @@ constexpr auto fields_of(Describes<CheckerTexture>) {
                      field("placement", &T::placement));
 }
 
+/// Prints of fingers and hairline scratches on a ball, in object axes: 0 where it is clean.
+struct SmudgesTexture {
+    double amount = 0.5;  // [0, 1]
+    int seed = 0;
+
+    [[nodiscard]] Vec3 mean_colour() const { return Vec3(0.2, 0.2, 0.2) * amount; }
+};
+constexpr auto fields_of(Describes<SmudgesTexture>) {
+    using T = SmudgesTexture;
+    return fields<T>(field("amount", &T::amount), field("seed", &T::seed));
+}
+
 struct MixTexture;
 
 /// A colour, constant or varying over the surface.
-using ColourSource = std::variant<Vec3, ImageTexture, BallTexture, ClothTexture, WoodTexture,
-                                  CheckerTexture, std::shared_ptr<const MixTexture>>;
+using ColourSource =
+    std::variant<Vec3, ImageTexture, BallTexture, ClothTexture, WoodTexture, CheckerTexture,
+                 SmudgesTexture, std::shared_ptr<const MixTexture>>;
 
 /// A number that varies over the surface: of a picture its channel, of any other texture the
 /// luminance of its colour, 0 meaning `range.x` and 1 meaning `range.y`.

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/assert.h"
 #include "core/elementary.h"
+#include "render/lanes/scalar_lanes.h"
+#include "render/texture/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -30,6 +33,52 @@ void set_picture(const ImageTexture& image, const ImageTables& picture, TextureD
     data.image.repeats = V2f(image.size ? Vec2(1, 1) / *image.size : image.scale);
     data.image.by_size = image.size.has_value();
     data.image.offset = V2f(image.offset);
+}
+
+/// The same numbers for the same seed.
+class HashedNumbers {
+  public:
+    explicit HashedNumbers(int seed) : word_(static_cast<std::uint32_t>(seed)) {}
+
+    std::uint32_t word() {
+        constexpr std::uint32_t kGolden = 0x9e3779b9u;  // 2^32 / the golden ratio
+        word_ += kGolden;
+        return scalar::mix_bits<scalar::One>(word_);
+    }
+    /// [0, 1)
+    float fraction() { return scalar::unit_float<scalar::One>(word()); }
+    V3f direction() {
+        const double z = 2.0 * static_cast<double>(fraction()) - 1;
+        const double turn = 2 * std::numbers::pi * static_cast<double>(fraction());
+        const double width = std::sqrt(1 - z * z);
+        return V3f(Vec3(width * cosine(turn), width * sine(turn), z));
+    }
+
+  private:
+    std::uint32_t word_;
+};
+
+SmudgesParameters smudges_parameters(const SmudgesTexture& smudges) {
+    using P = SmudgesParameters;
+    HashedNumbers random(smudges.seed);
+    P parameters;
+    parameters.amount = std::clamp(static_cast<float>(smudges.amount), 0.0F, 1.0F);
+    parameters.seed = random.word();
+    const auto part_of = [&](int most) {
+        return static_cast<int>(std::lround(static_cast<float>(most) * parameters.amount));
+    };
+    parameters.prints = part_of(P::kMostPrints);
+    parameters.hairlines = part_of(P::kMostHairlines);
+    for (int k = 0; k < P::kMostPrints; ++k) {
+        const V3f middle = random.direction();
+        parameters.print_middle[k] = middle;
+        parameters.print_across[k] = middle.cross(random.direction()).normalized();
+    }
+    for (int k = 0; k < P::kMostHairlines; ++k) {
+        parameters.line_axis[k] = random.direction();
+        parameters.line_middle[k] = random.direction();
+    }
+    return parameters;
 }
 
 /// Makes a texture of each kind of ColourSource. Patterns are band-limited: detail finer than the
@@ -75,8 +124,21 @@ struct TextureMaker {
                       static_cast<float>(cloth.variation),
                       tiles->weave.tables(),
                       tiles->nap.tables(),
-                      tiles->wear.tables()};
+                      tiles->wear.tables(),
+                      std::clamp(static_cast<float>(cloth.wear), 0.0F, 1.0F)};
+        HashedNumbers random(cloth.seed);
+        data.cloth.wear_seed = random.word();
+        constexpr float kShift = 4;  // m
+        data.cloth.wear_shift = V2f(kShift * random.fraction(), kShift * random.fraction());
+        data.cloth.bed = V2f(static_cast<float>(cloth.bed.x), static_cast<float>(cloth.bed.y));
+        constexpr float kMostOfNap = 0.3F;
+        data.cloth.brightness_along_nap = kMostOfNap * static_cast<float>(cloth.nap);
         pictures = tiles;
+    }
+
+    void operator()(const SmudgesTexture& smudges) const {
+        data.kind = TextureKind::smudges;
+        data.smudges = smudges_parameters(smudges);
     }
 
     void operator()(const WoodTexture& wood) const {

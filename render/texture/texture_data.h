@@ -85,6 +85,27 @@ struct ClothParameters {
     float variation = 0;
     PyramidTables weave;      // of half-float numbers
     PyramidTables nap, wear;  // of signed numbers
+    float wear_amount = 0;    // [0, 1]
+    std::uint32_t wear_seed = 0;
+    V2f wear_shift{0, 0};  // of what does not depend on the table, m
+    V2f bed{0, 0};         // half the sides of the table's field, m; 0: there is none
+    float brightness_along_nap = 0;
+};
+
+/// Prints and scratches on a ball; a number, as grey.
+struct SmudgesParameters {
+    static constexpr int kMostPrints = 6;
+    static constexpr int kMostHairlines = 16;
+
+    float amount = 0;        // [0, 1]
+    std::uint32_t seed = 0;  // of the film of grease
+    int prints = 0, hairlines = 0;
+    // Directions from the ball's middle. NOLINTBEGIN(*-avoid-c-arrays): a device has no std::array
+    V3f print_middle[kMostPrints];
+    V3f print_across[kMostPrints];    // at right angles to its length
+    V3f line_axis[kMostHairlines];    // a scratch is part of a circle around it...
+    V3f line_middle[kMostHairlines];  // ... on this side
+    // NOLINTEND(*-avoid-c-arrays)
 };
 
 /// Growth rings of a tree whose trunk is along the grain, cut by the surface, with fibres and
@@ -124,6 +145,7 @@ enum class TextureKind : std::uint8_t {
     cloth,
     wood,
     checker,
+    smudges,
     mix,
     normals,
     heights
@@ -140,6 +162,7 @@ struct TextureData {
     ClothParameters cloth;
     WoodParameters wood;
     CheckerParameters checker;
+    SmudgesParameters smudges;
     MixParameters mix;
 
     /// Calls `visit` with every list.

@@ -63,6 +63,9 @@ void describe(CheckCommand& command, CommandDescription& description) {
         "--full", command.full,
         "Read also large files whole. Without it, files are read whole that have up to "
         "64 MB together, and of larger ones only the headers.");
+    description.flag("--lux", command.lux,
+                     "Print how brightly the table is lit, in lux at nine points seen from above: "
+                     "the middle of the bed, and the middles and the corners of the rails.");
     add_cache(description, command.cache);
     description.examples = {
         {"carom check break.yaml", "All errors and warnings, each with file, line and column."},

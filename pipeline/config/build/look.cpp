@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -47,6 +48,26 @@ void add_used_materials(Builder& builder) {
               [](const auto& a, const auto& b) { return a.name < b.name; });
 }
 
+/// Tells the cloths of the table where its cushions are, which wear depends on.
+void lay_cloth(Builder& builder) {
+    const std::optional<sim::billiards::TableMeasures>& table = builder.shot.world.table;
+    if (!table || table->kind == sim::billiards::TableKind::cloth) {
+        return;
+    }
+    std::set<std::string> of_table;
+    for (const render::ObjectDescription& object : builder.shot.scene.objects) {
+        if (object.name.starts_with("table/")) {
+            of_table.insert(object.material);
+        }
+    }
+    for (render::MaterialDescription& material : builder.shot.scene.materials) {
+        auto* cloth = std::get_if<render::ClothTexture>(&material.surface.base);
+        if (cloth != nullptr && cloth->wear > 0 && of_table.count(material.name) != 0) {
+            cloth->bed = Vec2(table->length, table->width) / 2;
+        }
+    }
+}
+
 void add_lights(Builder& builder) {
     std::vector<render::LightDescription>& lights = builder.shot.scene.lights;
     const std::optional<sim::billiards::TableMeasures>& table = builder.shot.world.table;
@@ -54,16 +75,31 @@ void add_lights(Builder& builder) {
         lights = default_lights(table ? &*table : nullptr);
         return;
     }
-    for (const Named<render::LightDescription>& given : builder.file.lights) {
-        lights.push_back(given.value);
-        lights.back().name = given.name;
+    for (const Named<Lamp>& given : builder.file.lights) {
+        if (given.value.light) {
+            lights.push_back(*given.value.light);
+            lights.back().name = given.name;
+        }
+    }
+}
+
+/// Lamps are seen, and their materials can be replaced as those of other objects.
+void add_parts_of_lamps(Builder& builder) {
+    render::SceneDescription& scene = builder.shot.scene;
+    for (const Named<Lamp>& given : builder.file.lights) {
+        Lamp lamp = given.value;
+        name_parts(lamp, given.name);
+        std::ranges::move(lamp.parts, std::back_inserter(scene.objects));
+        std::ranges::move(lamp.materials, std::back_inserter(scene.materials));
     }
 }
 
 }  // namespace
 
 void build_look(Builder& builder) {
+    add_parts_of_lamps(builder);
     add_used_materials(builder);
+    lay_cloth(builder);
     add_lights(builder);
     const render::SceneDescription& scene = builder.shot.scene;
     const render::RenderSettings& settings = builder.file.render.settings;

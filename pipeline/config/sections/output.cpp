@@ -121,6 +121,8 @@ const MapSpec<GlowSettings>& glow_spec() {
               "fraction of all light that is scattered: 0.05 looks like a light haze");
         s.key("radius", &GlowSettings::radius, number(above_up_to(0, 1)),
               "radius of the widest part, in picture heights");
+        s.key("halation", &GlowSettings::halation, number(between(0, 10)),
+              "red halo of film around what is brighter than white: 1 is ordinary film");
         return s;
     }();
     return spec;
@@ -140,6 +142,10 @@ const MapSpec<GradeSettings>& grade_spec() {
               "exponent: above 1 the middle tones become darker");
         s.key("saturation", &GradeSettings::saturation, number(between(0, 4)),
               "how far colours are from grey; 0: black and white");
+        s.key(
+            "white_balance", &GradeSettings::white_balance, number(between(1667, 25000)),
+            "temperature in kelvin of the light that shall look white: 2700 for light bulbs, 6500 "
+            "for a cloudy day. It comes before the rest");
         return s;
     }();
     return spec;

@@ -71,8 +71,8 @@ void add_event_start(MapSpec<sim::ForceEvent>& spec);
 /// {axis, angle} of up to 100 revolutions, as the unit axis times the angle.
 [[nodiscard]] ValueType<Vec3> rotation_vector();
 
+[[nodiscard]] ValueType<std::vector<Named<Lamp>>> lights();
 /// The keys of a material's {ball: ...}.
-[[nodiscard]] ValueType<std::vector<Named<render::LightDescription>>> lights();
 [[nodiscard]] const MapSpec<render::BallTexture>& ball_texture_spec();
 
 }  // namespace carom::pipeline::config

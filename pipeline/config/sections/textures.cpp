@@ -139,6 +139,14 @@ const MapSpec<render::ClothTexture>& cloth_spec() {
               "spacing of the weave");
         s.key("variation", &render::ClothTexture::variation, number(between(0, 1)),
               "relative variation of the colour");
+        s.key(
+            "wear", &render::ClothTexture::wear, number(between(0, 1)),
+            "how long it has been played on: mottles, chalk, tracks of balls along the cushions of "
+            "a table, burns where it is racked and broken");
+        s.key("seed", &render::ClothTexture::seed, integer(0, 1000000), "another wear for each");
+        s.key("nap", &render::ClothTexture::nap, number(between(-1, 1)),
+              "how much brighter the cloth is when one looks against its nap, which lies along x; "
+              "negative: along -x");
         add_placement_keys(s, kOwnAxes, kOrigin);
         return s;
     }();
@@ -175,6 +183,20 @@ const MapSpec<render::CheckerTexture>& checker_spec() {
         s.key("size", &render::CheckerTexture::size, length(inside(0, 1000)),
               "edge length of a square");
         add_placement_keys(s, kOwnAxes, kOrigin);
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<render::SmudgesTexture>& smudges_spec() {
+    static const MapSpec<render::SmudgesTexture> spec = [] {
+        MapSpec<render::SmudgesTexture> s(
+            "smudges",
+            "Prints of fingers and hairline scratches around the middle of a ball: 0 "
+            "where it is clean.");
+        s.key("amount", &render::SmudgesTexture::amount, number(between(0, 1)),
+              "from none to six prints and sixteen scratches");
+        s.key("seed", &render::SmudgesTexture::seed, integer(0, 1000000), "others for each");
         return s;
     }();
     return spec;
@@ -273,13 +295,14 @@ class TextureSpecs {
         s.set("wood", record(wood_spec()), store, "wood");
         s.set("checker", record(checker_spec()), store, "squares of two colours");
         s.set("ball", record(ball_texture_spec()), store, "a billiard ball");
+        s.set("smudges", record(smudges_spec()), store, "prints and scratches on a ball");
         s.set(
             "mix", record(mix_),
             [](T& target, MixTexture mix) {
                 pattern_of(target) = std::make_shared<const MixTexture>(std::move(mix));
             },
             "two colours or textures, mixed");
-        s.exactly_one_of({"image", "cloth", "wood", "checker", "ball", "mix"});
+        s.exactly_one_of({"image", "cloth", "wood", "checker", "ball", "smudges", "mix"});
         for (const char* key : {"mapping", "facing", "rotate", "scale", "size", "offset",
                                 "background", "is_linear", "channel", "tint"}) {
             s.refuse(key, std::string(

@@ -23,17 +23,21 @@ struct PlanePointOf {
     }
 };
 
-/// |x|, |y| <= 1. A one-sided rectangle (`one_sided` is not 0) is not seen by rays from below,
-/// z < 0.
+/// Whether a ray can hit a flat shape: one that is one-sided (`one_sided` is not 0) is not seen by
+/// rays from below, z < 0.
+template <class L>
+CAROM_KERNEL MaskOf<L> is_front(const RayOf<L>& ray, ValueOf<L> one_sided) {
+    return L::either(L::is_less(ray.direction.z, L::all(0)), L::is_equal(one_sided, L::all(0)));
+}
+
+/// |x|, |y| <= 1.
 template <class L>
 CAROM_KERNEL DistanceOf<L> hit_unit_rectangle(const RayOf<L>& ray, ValueOf<L> t_min,
                                               ValueOf<L> one_sided) {
     const PlanePointOf<L> at(ray, t_min);
     const auto inside =
         L::both(L::is_at_most(L::size(at.x), L::all(1)), L::is_at_most(L::size(at.y), L::all(1)));
-    const auto is_visible =
-        L::either(L::is_less(ray.direction.z, L::all(0)), L::is_equal(one_sided, L::all(0)));
-    return at.hit_where(L::both(inside, is_visible));
+    return at.hit_where(L::both(inside, is_front<L>(ray, one_sided)));
 }
 
 /// x, y >= 0 and x + y <= 1. The edges are widened by a few roundings, so that adjacent triangles
@@ -47,9 +51,11 @@ CAROM_KERNEL DistanceOf<L> hit_unit_triangle(const RayOf<L>& ray, ValueOf<L> t_m
                                 L::is_at_most(at.x + at.y, high)));
 }
 
-/// x^2 + y^2 <= 1.
+/// x^2 + y^2 <= 1; one-sided as a rectangle.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_unit_disk(const RayOf<L>& ray, ValueOf<L> t_min) {
+CAROM_KERNEL DistanceOf<L> hit_unit_disk(const RayOf<L>& ray, ValueOf<L> t_min,
+                                         ValueOf<L> one_sided) {
     const PlanePointOf<L> at(ray, t_min);
-    return at.hit_where(L::is_at_most(at.x * at.x + at.y * at.y, L::all(1)));
+    const auto inside = L::is_at_most(at.x * at.x + at.y * at.y, L::all(1));
+    return at.hit_where(L::both(inside, is_front<L>(ray, one_sided)));
 }

@@ -5,7 +5,7 @@
 template <class L>
 struct UnitFormOf {
     Vec3Of<L> parameters;  // what an affine map cannot produce (shape_list.h)
-    ValueOf<L> one_sided;  // rectangles: not 0 if rays from below pass
+    ValueOf<L> one_sided;  // rectangles and disks: not 0 if rays from below pass
 };
 
 /// The first hit beyond t_min >= 0 of a ray in the axes of the unit shape.
@@ -21,7 +21,7 @@ CAROM_KERNEL DistanceOf<L> hit_unit_shape(const RayOf<L>& ray, ValueOf<L> t_min,
     } else if constexpr (kKind == ShapeKind::triangle) {
         return hit_unit_triangle<L>(ray, t_min);
     } else if constexpr (kKind == ShapeKind::disk) {
-        return hit_unit_disk<L>(ray, t_min);
+        return hit_unit_disk<L>(ray, t_min, form.one_sided);
     } else if constexpr (kKind == ShapeKind::frustum) {
         return hit_unit_frustum<L>(ray, t_min, form.parameters.x, form.parameters.y);
     } else if constexpr (kKind == ShapeKind::capsule) {

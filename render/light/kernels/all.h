@@ -3,6 +3,8 @@
 #include "render/light/kernels/shared_exponent.h"
 #include "render/light/kernels/environment.h"
 #include "render/light/kernels/light_sample.h"
+#include "render/light/kernels/flat_light.h"
+#include "render/light/kernels/shade_light.h"
 #include "render/light/kernels/area_light.h"
 #include "render/light/kernels/delta_light.h"
 #include "render/light/kernels/light_tree.h"

@@ -100,6 +100,15 @@ CAROM_KERNEL_OUTLINED TexturedSurfaceOf<L> resolve_textures(const List<TextureDa
     return surface;
 }
 
+/// Fibres of a nap lean towards x of the cloth: from there one sees their tips, from the other end
+/// their sides. `wo`: towards the viewer.
+template <class L>
+CAROM_KERNEL ValueOf<L> nap_brightness(const ClothParameters& cloth, const TexturePointOf<L>& point,
+                                       const Vec3Of<L>& wo) {
+    const auto against = point.in_object(wo).x;
+    return L::all(1) + L::all(cloth.brightness_along_nap) * against;
+}
+
 /// All lanes have the same material.
 template <class L>
 CAROM_KERNEL ResolvedOf<L> resolve_surface(const List<TextureData>& list,
@@ -129,6 +138,9 @@ CAROM_KERNEL ResolvedOf<L> resolve_surface(const List<TextureData>& list,
         surface.base = all_of<L>(base.plain);
     } else {
         surface.base = value_of<L>(base, point, nullptr).colour;
+    }
+    if (base.kind == TextureKind::cloth && base.cloth.brightness_along_nap != 0) {
+        surface.base = surface.base * nap_brightness<L>(base.cloth, point, wo);
     }
     if (textures.relief.kind != ReliefParameters::Kind::none) {
         shift = flipped<L>(surface.from_behind, shift);

@@ -67,8 +67,10 @@ CAROM_KERNEL ValueOf<L> with_noise(ValueOf<L> brightness, MaskOf<L> is_seen, Val
     return L::select(is_seen, brightness + part, brightness);
 }
 
-/// `place`: position on the cloth, m. The mean of the colour over the whole cloth is the texture's.
-/// What no lane can resolve is not looked up.
+#include "render/texture/kernels/cloth_wear.h"
+
+/// `place`: position on the cloth, m. Without wear the mean of the colour over the whole cloth is
+/// the texture's. What no lane can resolve is not looked up.
 template <class L>
 CAROM_KERNEL_OUTLINED ClothValueOf<L> cloth_value(const ClothParameters& cloth,
                                                   const Vec2Of<L>& place, ValueOf<L> footprint) {
@@ -86,10 +88,22 @@ CAROM_KERNEL_OUTLINED ClothValueOf<L> cloth_value(const ClothParameters& cloth,
                                L::all(Look::kWearStrength) * wear, cloth.wear,
                                place_on_tile<L>(place, side, side, footprint));
 
-    const auto scale = L::larger(L::all(1) + L::all(cloth.variation) * brightness, zero);
+    auto relative = L::all(1) + L::all(cloth.variation) * brightness;
+    ClothWearOf<L> worn{zero, zero, zero};
+    if (cloth.wear_amount > 0) {
+        worn = cloth_wear<L>(cloth, place, footprint);
+        relative = relative + worn.brightness;
+    }
+    const auto scale = L::larger(relative, zero);
     const auto channel = [&](float x) CAROM_KERNEL_ATTRIBUTE {
         return L::smaller(L::all(x) * scale, L::all(1));
     };
-    return {{channel(cloth.colour.x), channel(cloth.colour.y), channel(cloth.colour.z)},
-            {weave.y, weave.z}};
+    Vec3Of<L> colour{channel(cloth.colour.x), channel(cloth.colour.y), channel(cloth.colour.z)};
+    if (cloth.wear_amount > 0) {
+        const Vec3Of<L> chalk{L::all(0.20f), L::all(0.33f), L::all(0.37f)};
+        const Vec3Of<L> burnt{L::all(0.50f), L::all(0.50f), L::all(0.46f)};
+        colour = colour + (chalk - colour) * worn.chalk;
+        colour = colour + (burnt - colour) * worn.burn;
+    }
+    return {colour, {weave.y, weave.z}};
 }

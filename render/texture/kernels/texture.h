@@ -4,6 +4,7 @@
 #include "render/texture/kernels/ball_paint.h"
 #include "render/texture/kernels/checker.h"
 #include "render/texture/kernels/cloth.h"
+#include "render/texture/kernels/smudges.h"
 #include "render/texture/kernels/wood.h"
 
 /// What textures read of a SurfacePoint. The last ones are set as far as they are needed.
@@ -333,6 +334,11 @@ CAROM_KERNEL_OUTLINED TextureValueOf<L> value_of(const TextureData& texture,
         case TextureKind::checker: {
             const PatternPlaceOf<L> at = pattern_place<L>(texture.placement, point);
             value.colour = checker_colour<L>(texture.checker, at.place, at.normal, footprint);
+            break;
+        }
+        case TextureKind::smudges: {
+            const auto grey = smudges_value<L>(texture.smudges, point.object_position, footprint);
+            value.colour = {grey, grey, grey};
             break;
         }
         case TextureKind::mix: {

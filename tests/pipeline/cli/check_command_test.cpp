@@ -364,6 +364,24 @@ TEST_F(CheckCommandRun, EnvironmentVariable_RaisesTheLimits) {
     EXPECT_THAT(passed.err, Not(HasSubstr("CAROM_LIMITS")));
 }
 
+TEST_F(CheckCommandRun, Lux_PrintsTheLightOnTheTable) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 1}", "[0, -1, 0.8]",
+               "lights: {room: {environment: 1}}\n");
+    const RunResult result = run({"check", "s.yaml", "--lux", "--quick"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out,
+              "     562     562     562\n     562     562     562\n     562     562     562\n"
+              "least 562 lx, greatest 562 lx, ratio 1.00\n");
+    EXPECT_THAT(run({"check", "s.yaml", "--lux", "--json"}).err,
+                HasSubstr("--lux prints a table for one shot: not with --json"));
+    write_text(path("bare.yaml"),
+               "carom: 1\ncameras: [{video: [0 s, 1 s], scene: 0 s, position: "
+               "[0, -1, 1], target: [0, 0, 0]}]\n");
+    const RunResult bare = run({"check", "bare.yaml", "--lux", "--quick"});
+    EXPECT_EQ(bare.exit_code, 2);
+    EXPECT_THAT(bare.err, HasSubstr("--lux: the shot has no table"));
+}
+
 // No process writes to the pipe: opening it would block, and the first Ctrl-C would not end that.
 TEST_F(CheckCommandRun, Pipe_IsRejectedImmediately) {
     ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);

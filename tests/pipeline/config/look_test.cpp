@@ -236,6 +236,12 @@ TEST(Materials, Textures_FillEveryField) {
         read_material("{base: {cloth: {colour: [0, 0.1, 0.3], thread: 1 mm, variation: 0}}}").base);
     EXPECT_EQ(cloth.colour, Vec3(0, 0.1, 0.3));
     EXPECT_EQ(cloth.thread, 0.001);
+    const render::NumberSource smudged =
+        read_material("{specular: {smudges: {amount: 0.3, seed: 4}, range: [0.35, 0.8]}}").specular;
+    ASSERT_NE(smudged.texture(), nullptr);
+    const auto smudges = std::get<render::SmudgesTexture>(smudged.texture()->pattern);
+    EXPECT_EQ(smudges.amount, 0.3);
+    EXPECT_EQ(smudges.seed, 4);
     const auto wood = std::get<render::WoodTexture>(
         read_material("{base: {wood: {light: 0.4, ring: 9 mm, grain: [0, 1, 0]}}}").base);
     EXPECT_EQ(wood.light, Vec3(0.4));
@@ -246,6 +252,31 @@ TEST(Materials, Textures_FillEveryField) {
     const auto ball =
         std::get<render::BallTexture>(read_material("{base: {ball: {number: 3}}}").base);
     EXPECT_EQ(ball.number, 3);
+}
+
+TEST(Materials, WornClothOfATable_KnowsItsField) {
+    const Shot shot = load_sections(
+        "table: {kind: carom}\n"
+        "objects: {o: {box: [1, 1, 1], at: [0, 0, 2], material: rug}}\n"
+        "materials:\n"
+        "  cloth: {standard: {base: {cloth: {wear: 0.4, seed: 7, nap: -0.5}}}}\n"
+        "  cushion: {standard: {base: {cloth: {}}}}\n"
+        "  rug: {standard: {base: {cloth: {wear: 1}}}}\n");
+    const auto cloth_of = [&](const std::string& name) {
+        for (const render::MaterialDescription& material : shot.scene.materials) {
+            if (material.name == name) {
+                return std::get<render::ClothTexture>(material.surface.base);
+            }
+        }
+        return render::ClothTexture{};
+    };
+    EXPECT_EQ(cloth_of("cloth").bed, Vec2(1.42, 0.71));  // 10 ft: 2.84 m by 1.42 m
+    EXPECT_EQ(cloth_of("cloth").wear, 0.4);
+    EXPECT_EQ(cloth_of("cloth").seed, 7);
+    EXPECT_EQ(cloth_of("cloth").nap, -0.5);
+    EXPECT_EQ(cloth_of("cushion").bed, Vec2(0, 0));  // its picture does not change with the table
+    EXPECT_EQ(cloth_of("rug").wear, 1);
+    EXPECT_EQ(cloth_of("rug").bed, Vec2(0, 0));
 }
 
 TEST(Materials, OnlyUsedMaterials_AreInTheScene) {

@@ -87,7 +87,7 @@ struct ColourWriter {
         out.line(t.colour, t.white, t.striped, t.number, t.disc_radius, t.band_width, t.spots);
     }
     void operator()(const render::ClothTexture& t) const {
-        out.line(t.colour, t.thread, t.variation, t.placement);
+        out.line(t.colour, t.thread, t.variation, t.wear, t.seed, t.bed, t.nap, t.placement);
     }
     void operator()(const render::WoodTexture& t) const {
         out.line(t.light, t.dark, t.ring, t.grain, t.placement);
@@ -95,6 +95,7 @@ struct ColourWriter {
     void operator()(const render::CheckerTexture& t) const {
         out.line(t.even, t.odd, t.size, t.placement);
     }
+    void operator()(const render::SmudgesTexture& t) const { out.line(t.amount, t.seed); }
     void operator()(const std::shared_ptr<const render::MixTexture>& t) const {
         out.line("mix");
         std::visit(*this, t->a);
@@ -139,10 +140,17 @@ void write_surface(Writer& out, const render::StandardMaterial& s) {
 struct LightWriter {
     Writer& out;
     void operator()(const render::RectangleLight& l) const {
-        out.line(l.centre, l.edge_u, l.edge_v, l.normal, l.radiance, l.falloff);
+        out.line(l.centre, l.edge_u, l.edge_v, l.normal, l.radiance, l.falloff, l.beam);
     }
     void operator()(const render::SphereLight& l) const {
         out.line(l.centre, l.radius, l.radiance, l.falloff);
+    }
+    void operator()(const render::DiskLight& l) const {
+        out.line(l.centre, l.radius, l.normal, l.radiance, l.falloff, l.beam);
+    }
+    void operator()(const render::ShadeLight& l) const {
+        out.line(l.centre, l.normal, l.shape.radius, l.shape.top_radius, l.shape.height,
+                 l.shape.bulge, l.disk_radius, l.depth, l.albedo, l.radiance);
     }
     void operator()(const render::EnvironmentLight& l) const {
         out.line(l.radiance, l.image, l.rotation);

@@ -57,7 +57,7 @@ TEST(TextureCount, BallsAreCountedWithTheirPaint) {
               "mix all count");
 }
 
-const std::string kKinds = "'image', 'cloth', 'wood', 'checker', 'ball' or 'mix'";
+const std::string kKinds = "'image', 'cloth', 'wood', 'checker', 'ball', 'smudges' or 'mix'";
 
 TEST(TextureProblems, Kinds) {
     EXPECT_THAT(problems_of_standard("base: {}"),
@@ -73,7 +73,7 @@ TEST(TextureProblems, Kinds) {
         ElementsAre("height: 'height' of 'standard' of material 'm' needs one of " + kKinds));
     EXPECT_THAT(problems_of_standard("base: {picture: files/picture.png}"),
                 ElementsAre("base: unknown key 'picture' in 'base' of 'standard' of material 'm' "
-                            "(the keys are image, cloth, wood, checker, ball and mix)"));
+                            "(the keys are image, cloth, wood, checker, ball, smudges and mix)"));
     EXPECT_THAT(problems_of_standard("base: {mix: [1, 2]}"),
                 ElementsAre("base.mix: 'mix' must be a map of keys, not a list"));
     EXPECT_THAT(problems_of_standard("base: {image: none.png}, normal: none.png"),

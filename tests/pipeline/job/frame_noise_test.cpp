@@ -85,11 +85,13 @@ TEST_F(FrameNoise, AnotherNumberOnOneBall_ChangesThatBallAlone) {
 TEST_F(FrameNoise, BrighterLights_GiveTheSameNoise) {
     const std::vector<float> usual = picture();
     for (render::LightDescription& light : film_.shot.scene.lights) {
-        if (auto* lamp = std::get_if<render::RectangleLight>(&light.light)) {
-            lamp->radiance *= 2;
-        } else if (auto* room = std::get_if<render::EnvironmentLight>(&light.light)) {
-            room->radiance *= 2;
-        }
+        std::visit(
+            [](auto& one) {
+                if constexpr (requires { one.radiance; }) {
+                    one.radiance *= 2;
+                }
+            },
+            light.light);
     }
     std::vector<float> brighter = picture();
     for (float& value : brighter) {

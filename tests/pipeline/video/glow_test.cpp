@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -132,6 +133,38 @@ TEST(Glow, NonFiniteValues_CountAsZero) {
 
 TEST(Glow, OnePixel_IsAccepted) {
     EXPECT_NEAR(with_glow(constant_film(1, 1, 0.5F), {0.5, 1}).rgba[0], 0.5F, 1e-6F);
+}
+
+TEST(Halation, BrightLight_GetsARedHalo) {
+    render::Film film = constant_film(480, 270, 0);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        film.rgba[at(film, 200, 100) + channel] = 101.2F;
+    }
+    GlowSettings settings;
+    settings.halation = 1;
+    const render::Film seen = with_glow(film, settings);
+    // A part of the light above 1.2 is added around it.
+    EXPECT_NEAR(sum_of(seen, 0) - sum_of(film, 0), 0.02 * 100, 1e-3);
+    EXPECT_NEAR(sum_of(seen, 1) - sum_of(film, 1), 0.02 * 100 / 3.5, 1e-3);
+    EXPECT_NEAR(sum_of(seen, 2) - sum_of(film, 2), 0.02 * 100 * 0.2 / 3.5, 1e-3);
+    // Two Gaussians of 5 and 9 pixels of 1080 are 1.25 and 2.25 pixels of 270.
+    const auto gauss = [](double sigma, double r2) {
+        return std::exp(-r2 / (2 * sigma * sigma)) / (2 * std::numbers::pi * sigma * sigma);
+    };
+    for (const int away : {2, 4}) {
+        const double expected = (gauss(1.25, away * away) + gauss(2.25, away * away)) / 2 * 2;
+        EXPECT_NEAR(seen.rgba[at(film, 200 + away, 100)], expected, 0.12 * expected) << away;
+    }
+}
+
+TEST(Halation, WhiteAndBelow_HasNone_AsItIsExposed) {
+    const render::Film film = constant_film(40, 30, 1.1F);
+    GlowSettings settings;
+    settings.halation = 3;
+    EXPECT_EQ(with_glow(film, settings).rgba, film.rgba);
+    EXPECT_NE(with_glow(film, settings, 1).rgba, film.rgba);  // a stop brighter
+    EXPECT_EQ(with_glow(constant_film(40, 30, 2), settings, -1).rgba,
+              constant_film(40, 30, 2).rgba);
 }
 
 }  // namespace

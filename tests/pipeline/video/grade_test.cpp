@@ -54,6 +54,36 @@ TEST(Grade, SlopeOffsetAndPower_AreThoseOfTheFormula) {
     }
 }
 
+TEST(Grade, WhiteBalance_MakesItsLightWhite) {
+    // Black bodies in linear Rec.709 of luminance 1, from their chromaticities (x, y) after Kim et
+    // al. 2002: 2856 K is the CIE's illuminant A at (0.4476, 0.4074).
+    const auto light_of_xy = [](double x, double y) {
+        const double X = x / y, Z = (1 - x - y) / y;
+        return Colour{static_cast<float>(3.2409699 * X - 1.5373832 - 0.4986108 * Z),
+                      static_cast<float>(-0.9692436 * X + 1.8759675 + 0.0415551 * Z),
+                      static_cast<float>(0.0556301 * X - 0.2039770 + 1.0569715 * Z)};
+    };
+    GradeSettings settings;
+    settings.white_balance = 2856;
+    EXPECT_FALSE(is_neutral(settings));
+    const Colour white = Grade(settings)(light_of_xy(0.4476, 0.4074));
+    for (const float channel : white) {
+        EXPECT_NEAR(channel, 1, 0.02);
+    }
+    // Daylight is blue then, and the other way round.
+    const Colour day = Grade(settings)({1, 1, 1});
+    EXPECT_GT(day[2], 1.8F * day[0]);
+    settings.white_balance = 12000;
+    const Colour warm = Grade(settings)({1, 1, 1});
+    EXPECT_GT(warm[0], 1.2F * warm[2]);
+    // D65 is near the black body of 6,500 K, and a little greener.
+    settings.white_balance = 6500;
+    const Colour same = Grade(settings)({0.3F, 0.5F, 0.2F});
+    EXPECT_NEAR(same[0], 0.3F, 0.02F);
+    EXPECT_NEAR(same[1], 0.5F, 0.02F);
+    EXPECT_NEAR(same[2], 0.2F, 0.02F);
+}
+
 TEST(Grade, OffsetOfAStop_DoublesTheLight) {
     GradeSettings settings;
     settings.offset = Vec3(1 / 17.52);

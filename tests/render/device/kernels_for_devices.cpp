@@ -189,7 +189,7 @@ CAROM_KERNEL void light(const Scene& scene, const Vec3<float>& point, const Vec3
     }
     sum.add(importance_of_area_light<L>(scene.area, point, normal));
     sum.add(pdf_of_area_light<L>(scene.area, point, normal, u.x));
-    sum.add(emitted_by_area_light<L>(scene.area, normal));
+    sum.add(emitted_by_area_light<L>(scene.area, point, normal));
     sum.add(distance_to_area_light<L>(scene.area, point, normal, u.x));
     if (can_sample_point_of_area_light<L>(scene.area, u.x, u.y)) {
         const LightPointOf<L> on_light = sample_point_of_area_light<L>(scene.area, point, u.y, u);
@@ -324,7 +324,7 @@ CAROM_KERNEL void step_of_path(const Wave& wave, int i) {
     sum_light<L>(wave.shadows, i);
     shade_background<L>(wave.scene, wave.paths, wave.missed, i);
     for (const WaveLight& light : wave.scene.all_lights) {
-        const LightHitOf<L> hit{{0, 0, -1}, 1, {0, 0, 1}, 7};
+        const LightHitOf<L> hit{{0, 0, 2}, {0, 0, -1}, 1, {0, 0, 1}, 7};
         wave.missed.light.x.at[i] = radiance_of_light<L>(wave.scene, light, wave.paths, i, hit).x;
     }
 }

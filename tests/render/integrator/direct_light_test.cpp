@@ -85,6 +85,41 @@ TEST(DirectLight, FrostedGlass_EveryStrategyHasTheSameMean) {
     EXPECT_LT(both.error, 0.02 * both.mean);
 }
 
+// Lamps whose radiance depends on place and direction; the smooth ball shows them and reflects
+// their light onto the floor.
+TEST(DirectLight, DisksAndShades_EveryStrategyHasTheSameMean) {
+    SceneBuilder builder = balls_on_floor();
+    builder.scene.lights.clear();
+    render::DiskLight disk;
+    disk.centre = Vec3(0.7, 0.3, 0.9);
+    disk.radius = 0.3;
+    disk.radiance = Vec3(6, 6, 6);
+    disk.beam = 3;
+    render::ShadeLight shade;
+    shade.centre = Vec3(-0.2, 0, 1);
+    shade.normal = Vec3(0, -0.28, -0.96);
+    shade.shape = {0.4, 0.1, 0.4, 0.5};
+    shade.disk_radius = 0.2;
+    shade.depth = 0.25;
+    shade.radiance = Vec3(15, 15, 15);
+    builder.scene.lights.push_back({"disk", disk});
+    builder.scene.lights.push_back({"shade", shade});
+    const auto of = [&](DirectStrategy strategy) {
+        PathSettings path;
+        path.strategy = strategy;
+        path.max_bounces = 2;
+        return test::picture_luminance(
+            builder.scene, test::camera(Vec3(0, -2.2, 1), Vec3(0, 0, 0.25), 0.6), path, 24, 64);
+    };
+    const Estimate both = of(DirectStrategy::both);
+    const Estimate lights = of(DirectStrategy::lights_only);
+    const Estimate scattering = of(DirectStrategy::scattering_only);
+    EXPECT_NEAR(lights.mean, both.mean, 4 * std::hypot(lights.error, both.error));
+    EXPECT_NEAR(scattering.mean, both.mean, 4 * std::hypot(scattering.error, both.error));
+    EXPECT_LT(both.error, 0.01 * both.mean);
+    EXPECT_LT(scattering.error, 0.02 * both.mean);
+}
+
 TEST(DirectLight, Together_TheyBeatEitherAlone) {
     const Estimate both = with(DirectStrategy::both, 0);
     EXPECT_LT(both.error, 1.1 * with(DirectStrategy::lights_only, 0).error);

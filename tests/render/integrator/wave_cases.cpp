@@ -283,6 +283,22 @@ std::vector<WaveCase> wave_cases() {
                          builder.sphere("rolling lens", 0.1, Vec3(0, 0, 0), "clear", "moving");
                      }),
                      {.max_bounces = 4}});
+    cases.push_back({"DisksAndShades", [](SceneBuilder& builder) {
+                         render::DiskLight disk;
+                         disk.centre = Vec3(0.4, 0.3, 1.2);
+                         disk.normal = Vec3(0.28, 0, -0.96);
+                         disk.radiance = Vec3(9, 8, 7);
+                         disk.beam = 2.5;
+                         render::ShadeLight shade;
+                         shade.centre = Vec3(-0.3, -0.2, 1);
+                         shade.shape = {0.2, 0.05, 0.24, 0.6};
+                         shade.disk_radius = 0.07;
+                         shade.depth = 0.16;
+                         shade.radiance = Vec3(40, 38, 30);
+                         builder.scene.lights.push_back({"disk", disk});
+                         builder.scene.lights.push_back({"shade", shade});
+                         add_metals(builder);
+                     }});
     cases.push_back({"EightBounces", with_lights([](SceneBuilder&) {}), {.max_bounces = 8}});
     cases.push_back({"WhiteRoomWithRoulette", with_lights(add_white_room), {.max_bounces = 8}});
     cases.push_back({"DirectLightOnly", with_lights([](SceneBuilder&) {}), {.max_bounces = 0}});

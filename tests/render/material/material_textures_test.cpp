@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,12 +29,13 @@ ImageTexture picture_of(const TemporaryPicture& file) {
     return image;
 }
 
-/// On the plane z = 0 of an object along the world's axes, uv in metres, seen from straight above.
+/// On the plane z = 0 of an object along the world's axes, uv in metres.
 struct Place {
     V2f at{0, 0};
     float width = 1e-6F;  // of a pixel, m
     V3f normal{0, 0, 1};
     V3f position{0, 0, 0};
+    std::optional<V3f> towards_viewer{};  // none: straight above
 };
 
 scalar::ResolvedOf<One> resolve(const TexturesOfMaterial& textures, const Place& place) {
@@ -47,10 +49,11 @@ scalar::ResolvedOf<One> resolve(const TexturesOfMaterial& textures, const Place&
     point.x_axis = {1, 0, 0};
     point.y_axis = {0, 1, 0};
     point.z_axis = {0, 0, 1};
-    const auto textured = scalar::texture_point<One>(point, textures.numbers().needs, place.normal,
-                                                     place.width, 0.1F);
+    const V3f wo = place.towards_viewer.value_or(place.normal);
+    const auto textured =
+        scalar::texture_point<One>(point, textures.numbers().needs, wo, place.width, 0.1F);
     return scalar::resolve_surface<One>(List<TextureData>(textures.list()), textures.numbers(),
-                                        textured, place.normal, place.normal, place.normal);
+                                        textured, place.normal, place.normal, wo);
 }
 
 scalar::ResolvedOf<One> resolve(const StandardMaterial& material, const Place& place) {
@@ -372,6 +375,26 @@ TEST(MaterialTextures, MissingPictureOfAnyParameter_IsNamed) {
             EXPECT_THAT(error.what(), testing::HasSubstr("/nowhere/rough.png"));
         }
     }
+}
+
+TEST(MaterialTextures, ClothIsBrighterAgainstItsNap) {
+    ClothTexture cloth;
+    cloth.variation = 0;
+    StandardMaterial material;
+    const auto green = [&](double nap, const V3f& towards) {
+        cloth.nap = nap;
+        material.base = cloth;
+        return resolve(material, {{0.1F, 0.2F}, 0.01F, {0, 0, 1}, {}, towards}).base.y;
+    };
+    const V3f from_x(0.8F, 0, 0.6F);
+    const V3f from_minus_x(-0.8F, 0, 0.6F);
+    const V3f from_y(0, 0.8F, 0.6F);
+    const auto mean = static_cast<float>(cloth.colour.y);
+    EXPECT_EQ(green(0, from_x), green(0, from_minus_x));
+    EXPECT_NEAR(green(1, from_x) / mean, 1.24F, 1e-5F);
+    EXPECT_NEAR(green(1, from_minus_x) / mean, 0.76F, 1e-5F);
+    EXPECT_NEAR(green(-0.5, from_x) / mean, 0.88F, 1e-5F);
+    EXPECT_NEAR(green(1, from_y) / mean, 1, 1e-5F);
 }
 
 }  // namespace

@@ -116,6 +116,14 @@ inline const std::vector<NamedTexture>& every_texture() {
         add("turned cloth around a box", cloth);
         wood.placement = {render::Mapping::own, Vec3(0, 0, 1), 1.1};
         add("turned wood", wood);
+        cloth = {};
+        cloth.wear = 0.7;
+        cloth.seed = 3;
+        add("worn cloth", cloth);
+        cloth.bed = Vec2(1.27, 0.635);
+        add("worn cloth of a table", cloth);
+        render::SmudgesTexture smudges;
+        add("smudges", smudges);
         return made;
     }();
     return all;

@@ -93,6 +93,151 @@ TEST(ClothPattern, NoVariation_IsOneColourWithRelief) {
     EXPECT_EQ(scalar::cloth_value<One>(cloth, V2f(0.1231f, 0.4563f), 0.01f).slope, V2f(0, 0));
 }
 
+ClothTexture worn_cloth() {
+    ClothTexture texture;
+    texture.wear = 1;
+    texture.seed = 5;
+    texture.bed = Vec2(1.27, 0.635);
+    return texture;
+}
+
+double green_at(const ClothParameters& cloth, float x, float y, float footprint) {
+    return static_cast<double>(scalar::cloth_value<One>(cloth, V2f(x, y), footprint).colour.y);
+}
+
+/// Of a square.
+double mean_green(const ClothParameters& cloth, const V2f& middle, float side) {
+    return moments(4'000,
+                   [&](test::TestRandom& random) {
+                       const float x = middle.x + random.between(-side / 2, side / 2);
+                       const float y = middle.y + random.between(-side / 2, side / 2);
+                       return green_at(cloth, x, y, 3e-4f);
+                   })
+        .mean;
+}
+
+TEST(ClothWear, APixelShowsTheMeanOfWhatItCovers) {
+    const ClothParameters cloth = data_of(worn_cloth()).cloth;
+    test::TestRandom random(3);
+    for (int i = 0; i < 60; ++i) {
+        const float x = random.between(-1.2f, 1.2f);
+        const V2f middle(x, random.between(-0.55f, 0.55f));
+        for (const float side : {0.012f, 0.04f}) {
+            const double mean = mean_green(cloth, middle, side);
+            EXPECT_NEAR(green_at(cloth, middle.x, middle.y, side), mean, 0.09 * mean)
+                << middle.x << " " << middle.y << " " << side;
+        }
+    }
+}
+
+TEST(ClothWear, LiesWhereATableIsPlayed) {
+    ClothTexture texture = worn_cloth();
+    texture.variation = 0;
+    const ClothParameters cloth = data_of(texture).cloth;
+    const auto mean_around = [&](float x, float y) { return mean_green(cloth, V2f(x, y), 0.1f); };
+    // Chalk makes rack, break and cushions paler than the open field.
+    const double open = (mean_around(0.1f, 0.25f) + mean_around(0.1f, -0.3f)) / 2;
+    EXPECT_GT(mean_around(0.635f, 0), 1.03 * open);
+    EXPECT_GT(mean_around(-0.635f, 0), 1.02 * open);
+    EXPECT_GT(mean_green(cloth, V2f(0.2f, 0.632f), 0.006f), 1.05 * open);
+    // Balls polish a track one radius from the nose.
+    const auto along_side = [&](float from_nose) {
+        double sum = 0;
+        for (int i = 0; i < 400; ++i) {
+            sum += green_at(cloth, -1 + 0.005f * static_cast<float>(i), 0.635f - from_nose, 1e-3f);
+        }
+        return sum;
+    };
+    EXPECT_LT(along_side(0.0286f), 0.985 * along_side(0.016f));
+    EXPECT_LT(along_side(0.0286f), 0.985 * along_side(0.042f));
+}
+
+TEST(ClothWear, GrowsFromNothingAndDiffersBySeed) {
+    ClothTexture texture = worn_cloth();
+    const auto difference = [&](const ClothTexture& a, const ClothTexture& b) {
+        const ClothParameters first = data_of(a).cloth;
+        const ClothParameters second = data_of(b).cloth;
+        return moments(20'000,
+                       [&](test::TestRandom& random) {
+                           const float x = random.between(-1.2f, 1.2f);
+                           const float y = random.between(-0.6f, 0.6f);
+                           return std::abs(green_at(first, x, y, 3e-4f) -
+                                           green_at(second, x, y, 3e-4f));
+                       })
+            .mean;
+    };
+    ClothTexture clean = texture;
+    clean.wear = 0;
+    ClothTexture hardly = texture;
+    hardly.wear = 0.01;
+    ClothTexture half = texture;
+    half.wear = 0.5;
+    EXPECT_LT(difference(clean, hardly), 0.003 * texture.colour.y);
+    EXPECT_GT(difference(clean, half), 10 * difference(clean, hardly));
+    EXPECT_GT(difference(clean, texture), 1.5 * difference(clean, half));
+    ClothTexture other = texture;
+    other.seed = 6;
+    EXPECT_GT(difference(other, texture), 0.3 * difference(clean, texture));
+    clean.seed = 9;
+    EXPECT_EQ(difference(clean, ClothTexture{}), 0);
+}
+
+SmudgesParameters smudges_of(double amount, int seed) {
+    SmudgesTexture texture;
+    texture.amount = amount;
+    texture.seed = seed;
+    return data_of(texture).smudges;
+}
+
+V3f on_ball(test::TestRandom& random) {
+    constexpr float kRadius = 0.028575f;
+    V3f direction(2, 0, 0);
+    while (direction.length2() > 1 || direction.length2() < 0.01f) {
+        for (const int axis : {0, 1, 2}) {
+            direction[axis] = random.between(-1, 1);
+        }
+    }
+    return direction.normalized() * kRadius;
+}
+
+TEST(Smudges, AreClean_ThenMoreAndMore) {
+    double before = 0;
+    for (const double amount : {0.0, 0.3, 1.0}) {
+        const SmudgesParameters smudges = smudges_of(amount, 4);
+        const Moments values = moments(20'000, [&](test::TestRandom& random) {
+            const float value = scalar::smudges_value<One>(smudges, on_ball(random), 1e-4f);
+            EXPECT_GE(value, 0);
+            EXPECT_LE(value, 1);
+            return static_cast<double>(value);
+        });
+        EXPECT_EQ(values.mean > 0, amount > 0);
+        EXPECT_GE(values.mean, 2 * before);
+        before = values.mean;
+    }
+}
+
+TEST(Smudges, APixelShowsTheMeanOfWhatItCovers) {
+    const SmudgesParameters smudges = smudges_of(1, 4);
+    test::TestRandom random(8);
+    constexpr float kSide = 0.002f;
+    double off = 0, sum = 0;
+    for (int i = 0; i < 300; ++i) {
+        const V3f middle = on_ball(random);
+        const V3f across = middle.cross(V3f(0.3f, 0.5f, 0.8f)).normalized();
+        const V3f along = middle.cross(across).normalized();
+        const Moments inside = moments(2'000, [&](test::TestRandom& within) {
+            const float a = within.between(-kSide / 2, kSide / 2);
+            const float b = within.between(-kSide / 2, kSide / 2);
+            const V3f place = (middle + across * a + along * b).normalized() * middle.length();
+            return static_cast<double>(scalar::smudges_value<One>(smudges, place, 1e-5f));
+        });
+        const float seen = scalar::smudges_value<One>(smudges, middle, kSide);
+        off += std::abs(static_cast<double>(seen) - inside.mean);
+        sum += inside.mean;
+    }
+    EXPECT_LT(off, 0.2 * sum);
+}
+
 TEST(WoodPattern, EveryColour_LiesBetweenDarkAndLight) {
     const WoodTexture texture;
     const WoodParameters wood = data_of(texture).wood;

@@ -54,6 +54,9 @@ TEST(Texture, EveryKind_HasThePinnedBits) {
         {"checker by uv", 0xd2f1812402ad1e5bu},
         {"turned cloth around a box", 0xf0802b6f77f43b0du},
         {"turned wood", 0x65b129b5b0fa6b5du},
+        {"worn cloth", 0x22b2c3a1e8f58d90u},
+        {"worn cloth of a table", 0x217c6d52ef7e4f1du},
+        {"smudges", 0xecec096542aeeee1u},
     };
     for (const test::NamedTexture& one : test::every_texture()) {
         test::TestRandom random(11);

@@ -34,7 +34,7 @@ template <class L>
 CAROM_KERNEL Vec3Of<L> radiance_of_light(const WaveScene& scene, const WaveLight& light,
                                          const PathQueue& paths, IntOf<L> path,
                                          const LightHitOf<L>& hit) {
-    const Vec3Of<L> emitted = emitted_by<L>(light, hit.direction);
+    const Vec3Of<L> emitted = emitted_by<L>(light, hit);
     const PlaceOf<L> last{gather<L>(paths.last_position, path), gather<L>(paths.last_normal, path),
                           gather<L>(paths.time, path)};
     auto pdf = density_of<L>(scene, light, last, hit);

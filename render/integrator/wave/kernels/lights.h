@@ -104,7 +104,7 @@ CAROM_KERNEL LightSampleOf<L> sample_light(const WaveScene& scene, const WaveLig
 /// face that hits of meshes name.
 template <class L>
 struct LightHitOf {
-    Vec3Of<L> direction;
+    Vec3Of<L> position, direction;
     ValueOf<L> distance;
     Vec3Of<L> normal;
     IntOf<L> face;
@@ -142,9 +142,9 @@ CAROM_KERNEL ValueOf<L> density_of(const WaveScene& scene, const WaveLight& ligh
 
 /// Radiance of a light with a surface, from its front, against a direction that hits it.
 template <class L>
-CAROM_KERNEL Vec3Of<L> emitted_by(const WaveLight& light, const Vec3Of<L>& direction) {
+CAROM_KERNEL Vec3Of<L> emitted_by(const WaveLight& light, const LightHitOf<L>& hit) {
     if (light.kind == WaveLight::Kind::area) {
-        return emitted_by_area_light<L>(light.area, opposite<L>(direction));
+        return emitted_by_area_light<L>(light.area, hit.position, opposite<L>(hit.direction));
     }
     return all_of<L>(light.kind == WaveLight::Kind::flat_object ? light.surface.radiance
                                                                 : light.shape.radiance);

@@ -62,6 +62,9 @@ function lights(): Snippet[] {
         { label: 'rectangular lamp', about: 'A lamp with soft shadows.',
             yaml: '${lamp}: {rectangle: [${0.6}, ${0.3}], at: [${0}, ${0}, ${1.6}], '
                 + 'facing: [${0}, ${0}, ${-1}], radiance: ${20}}' },
+        { label: 'lamp in a shade', about: 'A lamp as it hangs over a table.',
+            yaml: '${lamp}: {shade: {radius: ${20 cm}, height: ${22 cm}}, at: [${0}, ${0}, ${1.05}], '
+                + 'lumens: ${2500}}' },
         { label: 'point light', about: 'A light without a surface: hard shadows.',
             yaml: '${point}: {point: ${20}, at: [${0}, ${0}, ${1.8}]}' },
         { label: 'spot light', about: 'A point light within a cone.',

@@ -6,7 +6,7 @@ import { planeAxes } from '../gizmos/rays';
 
 export const kLightColour = 0xffd97a;
 const kCirclePieces = 40;
-const kNormal = 0.3; // m, of the arrow of a rectangle
+const kNormal = 0.3; // m, of the arrow of a flat light
 const kCross = 0.05; // m, of the mark of a point
 const kLongestCone = 3; // m
 const kSun = 1.1; // m, of the arrows of parallel light
@@ -61,6 +61,18 @@ function rectangle(light: SceneLight, isFaint: boolean): Figure {
     };
 }
 
+/// A disk, or the opening of a shade.
+function disk(light: SceneLight, isFaint: boolean): Figure {
+    const radius = light.size[0] ?? 0;
+    const [x, y] = planeAxes(light.facing);
+    const pointer = arrow(light.position, add(light.position, scale(kNormal, light.facing)), isFaint);
+    return {
+        ...pointer,
+        lines: [...pointer.lines ?? [],
+            ...circle(light.position, scale(radius, x), scale(radius, y), kLightColour, isFaint)],
+    };
+}
+
 function spot(light: SceneLight, isFaint: boolean): Figure {
     const [x, y] = planeAxes(light.facing);
     const length = coneLength(light);
@@ -111,7 +123,7 @@ function point({ position }: SceneLight, isFaint: boolean): Figure {
 }
 
 const kFigures: Record<string, (light: SceneLight, isFaint: boolean) => Figure> = {
-    rectangle, spot, directional, sphere: ball, point,
+    rectangle, disk, shade: disk, spot, directional, sphere: ball, point,
 };
 
 /// Where a click selects the light; null of an environment.

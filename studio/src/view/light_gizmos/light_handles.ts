@@ -55,12 +55,13 @@ function sun(light: SceneLight): Handle {
 function edge(light: SceneLight, axis: 0 | 1): Handle {
     const half = halfEdges(light)[axis];
     const along = unit(half);
-    return handle(light, 'rectangle', add(light.position, half), axis === 0 ? 'width' : 'height', {
+    const key = sourceOf([...light.path, 'panel']) ? 'panel' : 'rectangle';
+    return handle(light, key, add(light.position, half), axis === 0 ? 'width' : 'height', {
         shape: 'square', way: { kind: 'line', along },
         changes: (to, precision) => {
             const wanted = Math.max(kSmallest, 2 * dot(subtract(to, light.position), along));
             const value = light.size.map((old, i) => (i === axis ? wanted : old));
-            return [{ path: [...light.path, 'rectangle'], value, precision }];
+            return [{ path: [...light.path, key], value, precision }];
         },
     });
 }
@@ -102,6 +103,8 @@ export function lightHandles(light: SceneLight): Handle[] {
         case 'sphere': return [place(light), radius(light)];
         case 'rectangle':
             return [place(light), direction(light, kFacing), edge(light, 0), edge(light, 1)];
+        case 'disk':
+        case 'shade': return [place(light), direction(light, kFacing)];
         case 'spot': {
             const isOne = sourceOf([...light.path, 'angle'])?.kind === 'scalar';
             return [place(light), direction(light, coneLength(light)), angle(light, 1),
