@@ -84,7 +84,8 @@ class RowTracer {
             return V3f(0);
         }
         if (scene_.is_light(hit)) {
-            return scene_.lights.emitted(scene_.light_of(hit), -direction);
+            return scene_.lights.emitted(scene_.light_of(hit), origin + direction * hit.t,
+                                         -direction);
         }
         const SurfacePoint point = scene_.frame.surface_at({origin, direction}, hit);
         const bool is_front = point.geometric_normal.dot(direction) < 0;
