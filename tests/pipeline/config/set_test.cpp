@@ -108,7 +108,7 @@ TEST_F(Set, Name_IsThatOfAFileInTheConfigs) {
     EXPECT_TRUE(has_object(load_file(shot("set: barn\n")), "wall"));
     EXPECT_EQ(problems(shot("set: bran\n")),
               (folder_ / "shot.yaml").string() +
-                  ":2:6: error: there is no set 'bran' (the sets are barn and club); the name "
+                  ":2:6: error: there is no set 'bran' (the sets are barn, club, hall and loft); the name "
                   "of a file ends in .yaml\n"
                   "    2 | set: bran\n"
                   "      |      ^~~~\n");
