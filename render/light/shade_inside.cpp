@@ -46,7 +46,8 @@ class Inside {
     [[nodiscard]] double area(std::size_t ring) const {
         const CrossSection& a = sections_[ring];
         const CrossSection& b = sections_[ring + 1];
-        return kPi * (a.radius + b.radius) * std::hypot(b.radius - a.radius, b.height - a.height);
+        const Vec2 side(b.radius - a.radius, b.height - a.height);
+        return kPi * (a.radius + b.radius) * side.length();
     }
     [[nodiscard]] double area_around_disk() const {
         return kPi * (ceiling().radius * ceiling().radius - disk_.radius * disk_.radius);

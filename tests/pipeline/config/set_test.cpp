@@ -106,12 +106,12 @@ TEST_F(Set, Name_IsThatOfAFileInTheConfigs) {
     write("configs/sets/barn.yaml", kRoom);
     setenv("CAROM_CONFIGS", (folder_ / "configs").c_str(), 1);
     EXPECT_TRUE(has_object(load_file(shot("set: barn\n")), "wall"));
-    EXPECT_EQ(problems(shot("set: bran\n")),
-              (folder_ / "shot.yaml").string() +
-                  ":2:6: error: there is no set 'bran' (the sets are barn, club, hall and loft); the name "
-                  "of a file ends in .yaml\n"
-                  "    2 | set: bran\n"
-                  "      |      ^~~~\n");
+    EXPECT_EQ(problems(shot("set: bran\n")), (folder_ / "shot.yaml").string() +
+                                                 ":2:6: error: there is no set 'bran' (the sets "
+                                                 "are barn, club, hall and loft); the name "
+                                                 "of a file ends in .yaml\n"
+                                                 "    2 | set: bran\n"
+                                                 "      |      ^~~~\n");
 }
 
 TEST_F(Set, WhatIsNoSet_IsRefused) {
