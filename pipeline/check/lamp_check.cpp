@@ -73,27 +73,27 @@ struct LightInWay {
         return from.length() > light.radius && (from + nearest * way.along).length() < light.radius;
     }
     bool operator()(const render::RectangleLight& light) const {
-        const double height = light.normal.dot(way.from - light.centre);
-        const double fraction = -height / light.normal.dot(way.along);
-        if (!(height > 0) || !(fraction > 0 && fraction < 1)) {
-            return false;  // from behind it cannot be seen
-        }
-        const Vec3 hit = way.from + fraction * way.along - light.centre;
-        return std::abs(hit.dot(light.edge_u)) < light.edge_u.length2() &&
-               std::abs(hit.dot(light.edge_v)) < light.edge_v.length2();
-    }
-    /// Whether the way crosses a disk from its front.
-    [[nodiscard]] bool crosses(const Vec3& centre, const Vec3& normal, double radius) const {
-        const double height = normal.dot(way.from - centre);
-        const double fraction = -height / normal.dot(way.along);
-        return height > 0 && fraction > 0 && fraction < 1 &&
-               (way.from + fraction * way.along - centre).length() < radius;
+        const std::optional<Vec3> hit = crossing(light.centre, light.normal);
+        return hit && std::abs(hit->dot(light.edge_u)) < light.edge_u.length2() &&
+               std::abs(hit->dot(light.edge_v)) < light.edge_v.length2();
     }
     bool operator()(const render::DiskLight& light) const {
-        return crosses(light.centre, light.normal, light.radius);
+        const std::optional<Vec3> hit = crossing(light.centre, light.normal);
+        return hit && hit->length() < light.radius;
     }
     bool operator()(const render::ShadeLight& light) const {
-        return crosses(light.centre, light.normal, light.shape.radius);
+        const std::optional<Vec3> hit = crossing(light.centre, light.normal);
+        return hit && hit->length() < light.shape.radius;
+    }
+    /// Where the way crosses a plane from its front, from `centre` on; from behind a light cannot
+    /// be seen.
+    [[nodiscard]] std::optional<Vec3> crossing(const Vec3& centre, const Vec3& normal) const {
+        const double height = normal.dot(way.from - centre);
+        const double fraction = -height / normal.dot(way.along);
+        if (!(height > 0) || !(fraction > 0 && fraction < 1)) {
+            return std::nullopt;
+        }
+        return way.from + fraction * way.along - centre;
     }
     template <class Other>
     bool operator()(const Other& /*without a surface*/) const {

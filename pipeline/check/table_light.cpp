@@ -11,6 +11,7 @@
 #include "render/film/film.h"
 #include "render/frame/frame.h"
 #include "render/light/light_power.h"
+#include "render/scene/still_scene.h"
 
 namespace carom::pipeline {
 
@@ -37,8 +38,8 @@ Vec3 point_of(const sim::billiards::TableMeasures& table, std::size_t row, std::
 
 /// All that is at rest, with a white disk at each point.
 render::SceneDescription scene_with_disks(const Shot& shot) {
-    render::SceneDescription scene = shot.scene;
-    std::erase_if(scene.objects, [](const auto& object) { return !object.track.empty(); });
+    render::SceneDescription scene = render::still_scene(shot.scene);
+    scene.far.reset();  // nine small pictures need no light that is computed for all of a room
     render::StandardMaterial white;
     white.base = Vec3(kAlbedo, kAlbedo, kAlbedo);
     scene.materials.push_back({kMaterial, white});

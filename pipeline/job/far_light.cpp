@@ -12,6 +12,7 @@
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/frame_key.h"
 #include "render/frame/bake_far_light.h"
+#include "render/scene/still_scene.h"
 
 namespace carom::pipeline {
 namespace {
@@ -87,10 +88,7 @@ std::shared_ptr<const FarLight> stored(const render::SceneDescription& scene, co
 }  // namespace
 
 Hash128 far_light_key(const render::SceneDescription& scene) {
-    render::SceneDescription still = scene;
-    std::erase_if(still.objects,
-                  [](const render::ObjectDescription& object) { return !object.track.empty(); });
-    return hash_scene(still);
+    return hash_scene(render::still_scene(scene));
 }
 
 std::shared_ptr<const FarLight> known_far_light(const render::SceneDescription& scene,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/elementary.h"
+#include "core/perpendicular.h"
 
 namespace carom::pipeline {
 
@@ -25,12 +26,6 @@ Mat44 placed_along(const Vec3& axis, const Vec3& x, const Vec3& origin) {
     const Vec3 y = axis.cross(x);
     return {x.x,    x.y,    x.z,    0, y.x,      y.y,      y.z,      0,
             axis.x, axis.y, axis.z, 0, origin.x, origin.y, origin.z, 1};
-}
-
-/// A unit vector at right angles to the unit `axis`.
-Vec3 beside(const Vec3& axis) {
-    const Vec3 other = std::abs(axis.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
-    return other.cross(axis).normalized();
 }
 
 /// A circle around z of a surface of revolution, and its normal there: outwards and along z.
@@ -96,7 +91,7 @@ Lamp lamp_in_shade(const render::ShadeLight& light, const std::string& material)
     lamp.light = {"", light};
     const Vec3 up = -light.normal;
     lamp.parts.push_back({"/shade", outside_of(light.shape),
-                          placed_along(up, beside(up), light.centre), "", material});
+                          placed_along(up, perpendicular(up), light.centre), "", material});
     return lamp;
 }
 
@@ -125,7 +120,8 @@ Lamp lamp_of_tube(const Tube& tube) {
     light.emission = tube.radiance;
     lamp.materials.push_back({"/tube", light});
     lamp.parts.push_back({"/tube", render::CapsuleShape{tube.radius, tube.length},
-                          placed_along(tube.axis, beside(tube.axis), tube.centre), "", "/tube"});
+                          placed_along(tube.axis, perpendicular(tube.axis), tube.centre), "",
+                          "/tube"});
     return lamp;
 }
 

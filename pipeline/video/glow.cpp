@@ -40,11 +40,15 @@ GlowFilter::GlowFilter(const GlowSettings& settings, double exposure, int width,
       height_(static_cast<std::size_t>(height)),
       bright_(static_cast<float>(kBright * exponential2(-exposure))) {
     CAROM_ASSERT(settings.is_seen() && settings.radius > 0);
-    for (const double scale : kScales) {
-        blurs_.emplace_back(width_, height_, scale * settings.radius * height);
+    if (settings.strength > 0) {
+        for (const double scale : kScales) {
+            blurs_.emplace_back(width_, height_, scale * settings.radius * height);
+        }
     }
-    for (const double halo : kHalos) {
-        halos_.emplace_back(width_, height_, halo * height);
+    if (settings.halation > 0) {
+        for (const double halo : kHalos) {
+            halos_.emplace_back(width_, height_, halo * height);
+        }
     }
 }
 

@@ -16,6 +16,7 @@
 #include "render/frame/prepared_scene.h"
 #include "render/integrator/path_integrator.h"
 #include "render/integrator/workspace_pool.h"
+#include "render/scene/still_scene.h"
 #include "render/threads/thread_arena.h"
 
 namespace carom::render {
@@ -30,10 +31,8 @@ constexpr std::size_t kPanoramaPixels = std::size_t{FarLight::kColumns} * FarLig
 constexpr float kAboveBox = 0.3F;  // m
 
 /// Without what moves, all of it near, and with a white material, the last one.
-SceneDescription still_scene(const SceneDescription& scene) {
-    SceneDescription still = scene;
-    std::erase_if(still.objects,
-                  [](const ObjectDescription& object) { return !object.track.empty(); });
+SceneDescription scene_to_bake(const SceneDescription& scene) {
+    SceneDescription still = still_scene(scene);
     still.far.reset();
     MaterialDescription white;
     white.name = "white of the far light";
@@ -223,7 +222,7 @@ std::vector<FarLight::Cell> smoothed(const std::vector<FarPoints>& cells,
 std::shared_ptr<const FarLight> bake_far_light(const SceneDescription& scene,
                                                const WorkContext& context) {
     const FarRegion& region = *scene.far;
-    const StillScene still(still_scene(scene));
+    const StillScene still(scene_to_bake(scene));
     const TransportScene& transport = still.transport();
     const V3f low(region.low), high(region.high);
     const V3f start((low.x + high.x) / 2, (low.y + high.y) / 2, high.z + kAboveBox);

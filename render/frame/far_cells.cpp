@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 
 #include "core/error.h"
+#include "core/splitmix.h"
 #include "render/geometry/constants.h"
 #include "render/light/scalar_kernels.h"
 #include "render/threads/thread_arena.h"
@@ -20,22 +22,6 @@ constexpr int kRows = 8;              // of rays at a step, and as many columns
 constexpr int kRays = kRows * kRows;
 constexpr float kLongestStep = 20;  // m
 
-/// Random numbers in [0, 1): SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom
-/// number generators").
-class Numbers {
-  public:
-    explicit Numbers(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15) {}
-    float next() {
-        std::uint64_t x = state_ += 0x9e3779b97f4a7c15;
-        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-        x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-        return static_cast<float>((x ^ (x >> 31)) >> 40) * 0x1p-24F;
-    }
-
-  private:
-    std::uint64_t state_;
-};
-
 struct Found {
     std::uint64_t key;
     FarPoint point;
@@ -45,7 +31,11 @@ class Walker {
   public:
     Walker(const TransportScene& scene, const FarGrid& grid, const V3f& start,
            const std::vector<std::int32_t>& numbers, std::uint64_t seed)
-        : scene_(scene), grid_(grid), start_(start), numbers_(numbers), random_(seed) {}
+        : scene_(scene),
+          grid_(grid),
+          start_(start),
+          numbers_(numbers),
+          random_(seed * kSplitMixStep) {}
 
     std::vector<Found> walk() {
         for (int step = 0; step < kSteps; ++step) {
@@ -61,11 +51,14 @@ class Walker {
   private:
     static constexpr std::size_t kSize = kRays + RayBatch::kBeyond;
 
+    /// A random number in [0, 1).
+    float next() { return static_cast<float>(random_.next() >> 40U) * 0x1p-24F; }
+
     /// Uniformly in all directions.
     void look_around() {
         for (int ray = 0; ray < kRays; ++ray) {
-            const float across = (static_cast<float>(ray % kRows) + random_.next()) / kRows;
-            const float z = 1 - 2 * (static_cast<float>(ray / kRows) + random_.next()) / kRows;
+            const float across = (static_cast<float>(ray % kRows) + next()) / kRows;
+            const float z = 1 - 2 * (static_cast<float>(ray / kRows) + next()) / kRows;
             const float r = std::sqrt(std::max(0.0F, 1 - z * z));
             const auto turn = scalar::sin_cos<scalar::One>(kTurn * across);
             const V3f direction = V3f(r * turn.cosine, r * turn.sine, z).normalized();
@@ -111,16 +104,16 @@ class Walker {
 
     /// Some way along one of the rays.
     void move() {
-        const auto ray = std::min(static_cast<int>(random_.next() * kRays), kRays - 1);
+        const auto ray = std::min(static_cast<int>(next() * kRays), kRays - 1);
         const float free = std::min(hits_[static_cast<std::size_t>(ray)].t, kLongestStep);
-        place_ += batch_.ray(ray, 0).direction * (free * (0.05F + 0.9F * random_.next()));
+        place_ += batch_.ray(ray, 0).direction * (free * (0.05F + 0.9F * next()));
     }
 
     const TransportScene& scene_;
     const FarGrid& grid_;
     V3f start_, place_{0, 0, 0};
     const std::vector<std::int32_t>& numbers_;
-    Numbers random_;
+    SplitMix64 random_;
     std::array<std::array<float, kSize>, 3> origins_{}, directions_{};
     std::array<float, kSize> times_{};
     std::array<Hit, kSize> hits_{};

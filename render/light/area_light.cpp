@@ -3,66 +3,65 @@
 #include <cmath>
 
 #include "core/colour.h"
+#include "core/perpendicular.h"
 #include "render/geometry/constants.h"
 #include "render/light/shade_inside.h"
 
 namespace carom::render {
 namespace {
 
-// A light has a surface if there is such a function for its kind; centre, radiance and falloff are
-// set already.
-void set_surface(AreaLight& surface, const RectangleLight& light) {
-    const Vec3& u = light.edge_u;
-    const Vec3& v = light.edge_v;
-    const Vec3& n = light.normal;
-    const Vec3& c = light.centre;
+/// Half the edges of a flat surface, or the radii of a disk, and its normal.
+struct FlatAxes {
+    Vec3 u, v, normal;
+};
+
+void set_flat(AreaLight& surface, ShapeKind kind, const FlatAxes& axes, const Vec3& c,
+              double beam) {
+    const auto& [u, v, n] = axes;
     surface.world_from_unit =
         Mat44(u.x, u.y, u.z, 0, v.x, v.y, v.z, 0, n.x, n.y, n.z, 0, c.x, c.y, c.z, 1);
     AreaLightConstants& made = surface.constants;
-    made.kind = ShapeKind::rectangle;
+    made.kind = kind;
     made.is_one_sided = true;
     made.edge_u = V3f(u);
     made.edge_v = V3f(v);
     made.normal = V3f(n);
-    made.area = 4.0f * made.edge_u.length() * made.edge_v.length();
-    made.radius = (made.edge_u + made.edge_v).length();
-    made.beam = static_cast<float>(light.beam);
-    made.intensity = luminance(made.radiance) * made.area * (0.5f * made.beam + 1);
+    made.beam = static_cast<float>(beam);
 }
 
-/// A unit vector at right angles to the unit `normal`.
-Vec3 across(const Vec3& normal) {
-    const Vec3 other = std::abs(normal.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
-    return other.cross(normal).normalized();
+void set_area(AreaLightConstants& light, float area) {
+    light.area = area;
+    light.intensity = luminance(light.radiance) * area * (0.5f * light.beam + 1);
 }
 
-void set_disk(AreaLight& surface, const Vec3& centre, const Vec3& normal, double radius) {
-    const Vec3 u = across(normal) * radius;
-    const Vec3 v = normal.cross(u);
-    surface.world_from_unit = Mat44(u.x, u.y, u.z, 0, v.x, v.y, v.z, 0, normal.x, normal.y,
-                                    normal.z, 0, centre.x, centre.y, centre.z, 1);
+// A light has a surface if there is such a function for its kind; centre, radiance and falloff are
+// set already.
+void set_surface(AreaLight& surface, const RectangleLight& light) {
+    set_flat(surface, ShapeKind::rectangle, {light.edge_u, light.edge_v, light.normal},
+             light.centre, light.beam);
     AreaLightConstants& made = surface.constants;
-    made.kind = ShapeKind::disk;
-    made.is_one_sided = true;
-    made.edge_u = V3f(u);
-    made.edge_v = V3f(v);
-    made.normal = V3f(normal);
+    made.radius = (made.edge_u + made.edge_v).length();
+    set_area(made, 4.0f * made.edge_u.length() * made.edge_v.length());
+}
+
+void set_disk(AreaLight& surface, const Vec3& centre, const Vec3& normal, double radius,
+              double beam) {
+    const Vec3 u = perpendicular(normal) * radius;
+    set_flat(surface, ShapeKind::disk, {u, normal.cross(u), normal}, centre, beam);
+    AreaLightConstants& made = surface.constants;
     made.radius = static_cast<float>(radius);
-    made.area = kPi * made.radius * made.radius;
-    made.intensity = luminance(made.radiance) * made.area;
+    set_area(made, kPi * made.radius * made.radius);
 }
 
 void set_surface(AreaLight& surface, const DiskLight& light) {
-    set_disk(surface, light.centre, light.normal, light.radius);
-    surface.constants.beam = static_cast<float>(light.beam);
-    surface.constants.intensity *= 0.5f * surface.constants.beam + 1;
+    set_disk(surface, light.centre, light.normal, light.radius, light.beam);
 }
 
 void set_surface(AreaLight& surface, const ShadeLight& light) {
     const ShadeInside inside = shade_inside(light);
     surface.constants.shade = inside.constants;
     surface.constants.radiance = V3f(inside.mean_radiance);
-    set_disk(surface, light.centre, light.normal, light.shape.radius);
+    set_disk(surface, light.centre, light.normal, light.shape.radius, 0);
 }
 
 void set_surface(AreaLight& surface, const SphereLight& light) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/assert.h"
+#include "core/splitmix.h"
 
 namespace carom::render {
 namespace {
@@ -18,13 +19,6 @@ constexpr std::uint32_t kNoCell = 0xffffffff;
 /// Surfaces that face between two axes have a share of both: linear in the normal's part along the
 /// axis, from this on.
 constexpr float kLeastOfAxis = 0.5F;
-
-std::uint64_t hash_of(std::uint64_t key) {
-    // The finaliser of MurmurHash3 (Appleby 2011).
-    key = (key ^ (key >> 33)) * 0xff51afd7ed558ccd;
-    key = (key ^ (key >> 33)) * 0xc4ceb9fe1a85ec53;
-    return key ^ (key >> 33);
-}
 
 std::uint64_t place_bits(int place) {
     return static_cast<std::uint64_t>(
@@ -135,7 +129,7 @@ void FarLight::make_table() {
     mask_ = size - 1;
     table_.assign(size, kNoCell);
     for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-        std::uint64_t slot = hash_of(cells_[i].key) & mask_;
+        std::uint64_t slot = split_mix(cells_[i].key) & mask_;
         while (table_[slot] != kNoCell) {
             slot = (slot + 1) & mask_;
         }
@@ -159,7 +153,7 @@ void FarLight::add_means() {
 }
 
 const SharedExponent* FarLight::find(std::uint64_t key) const {
-    for (std::uint64_t slot = hash_of(key) & mask_; table_[slot] != kNoCell;
+    for (std::uint64_t slot = split_mix(key) & mask_; table_[slot] != kNoCell;
          slot = (slot + 1) & mask_) {
         if (cells_[table_[slot]].key == key) {
             return &cells_[table_[slot]].irradiance;

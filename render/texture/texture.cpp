@@ -6,8 +6,7 @@
 
 #include "core/assert.h"
 #include "core/elementary.h"
-#include "render/lanes/scalar_lanes.h"
-#include "render/texture/scalar_kernels.h"
+#include "core/splitmix.h"
 
 namespace carom::render {
 namespace {
@@ -35,48 +34,37 @@ void set_picture(const ImageTexture& image, const ImageTables& picture, TextureD
     data.image.offset = V2f(image.offset);
 }
 
-/// The same numbers for the same seed.
-class HashedNumbers {
-  public:
-    explicit HashedNumbers(int seed) : word_(static_cast<std::uint32_t>(seed)) {}
+Vec3 random_direction(SplitMix64& random) {
+    const double z = random.between(-1, 1);
+    const double turn = random.between(0, 2 * std::numbers::pi);
+    const double width = std::sqrt(1 - z * z);
+    return {width * cosine(turn), width * sine(turn), z};
+}
 
-    std::uint32_t word() {
-        constexpr std::uint32_t kGolden = 0x9e3779b9u;  // 2^32 / the golden ratio
-        word_ += kGolden;
-        return scalar::mix_bits<scalar::One>(word_);
-    }
-    /// [0, 1)
-    float fraction() { return scalar::unit_float<scalar::One>(word()); }
-    V3f direction() {
-        const double z = 2.0 * static_cast<double>(fraction()) - 1;
-        const double turn = 2 * std::numbers::pi * static_cast<double>(fraction());
-        const double width = std::sqrt(1 - z * z);
-        return V3f(Vec3(width * cosine(turn), width * sine(turn), z));
-    }
-
-  private:
-    std::uint32_t word_;
-};
+/// What seeds noise in kernels.
+std::uint32_t random_word(SplitMix64& random) {
+    return static_cast<std::uint32_t>(random.next() >> 32U);
+}
 
 SmudgesParameters smudges_parameters(const SmudgesTexture& smudges) {
     using P = SmudgesParameters;
-    HashedNumbers random(smudges.seed);
+    SplitMix64 random(static_cast<std::uint64_t>(smudges.seed));
     P parameters;
     parameters.amount = std::clamp(static_cast<float>(smudges.amount), 0.0F, 1.0F);
-    parameters.seed = random.word();
+    parameters.seed = random_word(random);
     const auto part_of = [&](int most) {
         return static_cast<int>(std::lround(static_cast<float>(most) * parameters.amount));
     };
     parameters.prints = part_of(P::kMostPrints);
     parameters.hairlines = part_of(P::kMostHairlines);
     for (int k = 0; k < P::kMostPrints; ++k) {
-        const V3f middle = random.direction();
-        parameters.print_middle[k] = middle;
-        parameters.print_across[k] = middle.cross(random.direction()).normalized();
+        const Vec3 middle = random_direction(random);
+        parameters.print_middle[k] = V3f(middle);
+        parameters.print_across[k] = V3f(middle.cross(random_direction(random)).normalized());
     }
     for (int k = 0; k < P::kMostHairlines; ++k) {
-        parameters.line_axis[k] = random.direction();
-        parameters.line_middle[k] = random.direction();
+        parameters.line_axis[k] = V3f(random_direction(random));
+        parameters.line_middle[k] = V3f(random_direction(random));
     }
     return parameters;
 }
@@ -126,10 +114,11 @@ struct TextureMaker {
                       tiles->nap.tables(),
                       tiles->wear.tables(),
                       std::clamp(static_cast<float>(cloth.wear), 0.0F, 1.0F)};
-        HashedNumbers random(cloth.seed);
-        data.cloth.wear_seed = random.word();
-        constexpr float kShift = 4;  // m
-        data.cloth.wear_shift = V2f(kShift * random.fraction(), kShift * random.fraction());
+        SplitMix64 random(static_cast<std::uint64_t>(cloth.seed));
+        data.cloth.wear_seed = random_word(random);
+        constexpr double kMostShift = 4;  // m
+        data.cloth.wear_shift.x = static_cast<float>(random.between(0, kMostShift));
+        data.cloth.wear_shift.y = static_cast<float>(random.between(0, kMostShift));
         data.cloth.bed = V2f(static_cast<float>(cloth.bed.x), static_cast<float>(cloth.bed.y));
         constexpr float kMostOfNap = 0.3F;
         data.cloth.brightness_along_nap = kMostOfNap * static_cast<float>(cloth.nap);

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <Imath/ImathBox.h>
+
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 
@@ -34,13 +36,10 @@ bool shines(const render::SceneDescription& scene, const std::string& material) 
                         : constant == nullptr || *constant != Vec3(0, 0, 0);
 }
 
-double distance_of(const render::FarRegion& region, const Vec3& place) {
-    Vec3 outside;
-    for (int axis = 0; axis < 3; ++axis) {
-        outside[axis] =
-            std::max({region.low[axis] - place[axis], place[axis] - region.high[axis], 0.0});
-    }
-    return outside.length();
+/// As FarGrid (render/light/far_light.h) has it.
+bool is_far(const render::FarRegion& region, const Vec3& place) {
+    const Vec3 around(region.distance);
+    return !Imath::Box3d(region.low - around, region.high + around).intersects(place);
 }
 
 /// The room's light does not follow what moves.
@@ -48,7 +47,7 @@ void refuse_moving_lamps(Builder& builder, const render::FarRegion& region) {
     for (const Named<ObjectSection>& object : builder.file.objects) {
         const std::string& material = object.value.material.value_or("");
         if (object.value.motion && shines(builder.shot.scene, material) &&
-            distance_of(region, object.value.at) > region.distance) {
+            is_far(region, object.value.at)) {
             builder.reader.error(
                 builder.place_of({"objects", object.name, "motion"}),
                 "object " + quote(object.name) +

@@ -131,12 +131,14 @@ CAROM_KERNEL ClothWearOf<L> wear_of_bed(const ClothParameters& cloth, const Vec2
 /// All wear, times its amount.
 template <class L>
 CAROM_KERNEL_OUTLINED ClothWearOf<L> cloth_wear(const ClothParameters& cloth,
-                                                const Vec2Of<L>& position, ValueOf<L> footprint) {
+                                                const Vec2Of<L>& position,
+                                                ValueOf<L> width_of_pixel) {
     using Look = WearLook;
     const auto zero = L::all(0);
     constexpr float kFarthest = 1e4f;  // m
     const Vec2Of<L> place{limited<L>(position.x, -kFarthest, kFarthest),
                           limited<L>(position.y, -kFarthest, kFarthest)};
+    const auto footprint = limited<L>(width_of_pixel, 0, kFarthest);
     ClothWearOf<L> wear{zero, zero, zero};
     if (cloth.bed.x > 0) {
         wear = wear_of_bed<L>(cloth, place, footprint);

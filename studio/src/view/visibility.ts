@@ -1,7 +1,7 @@
 /// Which meshes of the shot the view shows, and whether as surfaces or as edges.
 import { effect, type ReadonlySignal } from '@preact/signals';
-import { Box3, Color, Vector3, type Scene } from 'three';
-import type { SceneLight, ShotState } from '../protocol';
+import { Box3, Color, Vector3, type Object3D, type Scene } from 'three';
+import type { ShotState } from '../protocol';
 import { lookThrough, shot } from '../state/state';
 import { isWireframe, showLamps } from '../state/view_state';
 import { reachHorizon } from './far_plane';
@@ -11,18 +11,25 @@ import { Wires } from './wires';
 
 const kShadeMargin = 0.05; // m, of a shade around the lamp in it
 const kLowestShade = 0.2; // m, of its lower edge above the cloth
+const kLowestHanging = 0.6; // m, of what hangs over the table: bars and chains of lamps, a ceiling
 
-/// The bodies at rest around an area light: the shade of a lamp.
-function shadesOf(light: SceneLight, state: ShotState, meshes: SceneMeshes): string[] {
-    if (light.kind !== 'rectangle' && light.kind !== 'sphere') {
-        return [];
-    }
-    return state.objects.filter((object) => {
+/// The bodies at rest that would hide the table from above: shades around lamps, and what hangs over it.
+function hangingIn(state: ShotState, meshes: SceneMeshes): Object3D[] {
+    const lamps = state.lights.filter(({ size }) => size.length > 0)
+        .map(({ position }) => new Vector3(...position));
+    const half = [(state.table?.length ?? 0) / 2, (state.table?.width ?? 0) / 2] as const;
+    return state.objects.flatMap((object) => {
         const node = object.kind === 'object' && !object.moves ? meshes.node(object.name) : undefined;
-        const box = node && new Box3().setFromObject(node).expandByScalar(kShadeMargin);
-        return box && box.min.z > kLowestShade
-            && box.containsPoint(new Vector3(...light.position));
-    }).map((object) => object.name);
+        if (!node) {
+            return [];
+        }
+        const { min, max } = new Box3().setFromObject(node);
+        const isShade = min.z > kLowestShade - kShadeMargin && lamps.some((lamp) =>
+            new Box3(min, max).expandByScalar(kShadeMargin).containsPoint(lamp));
+        const hangs = state.table !== undefined && min.z > kLowestHanging
+            && min.x < half[0] && max.x > -half[0] && min.y < half[1] && max.y > -half[1];
+        return isShade || hangs ? [node] : [];
+    });
 }
 
 /// Follows the signals of src/state until the returned function is called. `loaded` changes with the
@@ -41,12 +48,9 @@ export function followVisibility(
                 if (lamp) {
                     lamp.visible = showLamps.value;
                 }
-                for (const name of state ? shadesOf(light, state, meshes) : []) {
-                    const node = meshes.node(name);
-                    if (node) {
-                        node.visible = showLamps.value;
-                    }
-                }
+            }
+            for (const node of state ? hangingIn(state, meshes) : []) {
+                node.visible = showLamps.value;
             }
             for (const object of state?.objects.filter((one) => one.shape === 'plane') ?? []) {
                 const node = meshes.node(object.name);

@@ -24,7 +24,7 @@ export async function check({ page, folder }) {
         window.studio.state.start.value.templates.every(({ still }) => still !== ''));
     await page.waitForFunction(() => [...document.querySelectorAll('.card img')]
         .slice(0, 8).every((image) => image.complete && image.naturalWidth > 0));
-    equal(await page.locator('.card').count(), 29, 'cards of 7 templates and 22 examples');
+    equal(await page.locator('.card').count(), 30, 'cards of 8 templates and 22 examples');
     await keep(page, '01_start_page');
 
     // By keyboard only: the second template, a name, Enter.

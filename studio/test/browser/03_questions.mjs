@@ -41,13 +41,13 @@ export async function check({ page }) {
     equal(await textOf(page), aliased, 'the text after one undo');
 
     // A list of a look: the copy and the change are two steps.
-    await apply(page, ['lights', 'lamp', 'radiance', '0'], 5);
+    await apply(page, ['lights', 'lamp_1', 'radiance', '1'], 0.5);
     await answer('Copy the list into the shot');
     const changed = await textOf(page);
-    equal(/^lights:\n {2}lamp: \{radiance: \[5\.0, 11\.8, 9\.8\]\}$/m.test(changed), true, changed);
+    equal(/^lights:\n {2}lamp_1: \{radiance: \[1, 0\.50, 0\.74\]\}$/m.test(changed), true, changed);
     await page.evaluate(() => window.studio.edit.travel(true));
     const copied = await textOf(page);
-    equal(/^ {2}lamp: \{radiance: \[13\.0, 11\.8, 9\.8\]\}$/m.test(copied), true, copied);
+    equal(/^ {2}lamp_1: \{radiance: \[1, 0\.90, 0\.74\]\}$/m.test(copied), true, copied);
     await page.evaluate(() => window.studio.edit.travel(true));
     equal(await textOf(page), aliased, 'the text after both steps were taken back');
 

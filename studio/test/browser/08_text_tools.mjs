@@ -91,7 +91,7 @@ export async function check({ page }) {
     await page.locator('.tab[aria-selected=true]', { hasText: 'pool.yaml' }).waitFor();
 
     // A colour of a look; the file is in the test's folder and can be written.
-    await page.locator('.tab', { hasText: 'club.yaml' }).click();
+    await page.locator('.tab', { hasText: 'club_unlit.yaml' }).click();
     const look = await textOf(page);
     const swatch = page.locator('.cm-swatch').first();
     await swatch.waitFor();

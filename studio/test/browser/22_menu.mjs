@@ -56,7 +56,7 @@ export async function check({ page }) {
     await page.locator(kScene).focus();
     await page.keyboard.press('1');
     // From above the lamp is not shown, so that a click does not meet it.
-    await page.waitForFunction(() => !window.studio.view.context.meshNode('lamp_shade').visible);
+    await page.waitForFunction(() => !window.studio.view.context.meshNode('lamp_1/shade').visible);
     const open = async () => {
         await page.mouse.click(...await placeOf(page, 'nine'), { button: 'right' });
         await page.getByRole('menu').waitFor();

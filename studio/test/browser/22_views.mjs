@@ -19,7 +19,7 @@ function table(page) {
             isFlat: context.camera().isOrthographicCamera === true,
             fills: Math.max(span(0, clientWidth), span(1, clientHeight)),
             level: corners[0][0] === corners[1][0] || Math.abs(corners[0][1] - corners[2][1]) < 0.5,
-            shade: context.meshNode('lamp_shade').visible,
+            shade: context.meshNode('lamp_1/shade').visible,
         };
     });
 }
