@@ -33,8 +33,7 @@ class ThinLensCamera {
     /// the picture does not depend on the sample's lens and time, to the last bit.
     [[nodiscard]] Ray ray(int pixel_x, int pixel_y, const CameraSample& sample) const;
 
-    /// The factor of the light along that ray, [0, 1]: 1 but for the cat's eye of a lens
-    /// (LensShape).
+    /// The factor of the light along that ray: 1 but for the cat's eye of a lens (LensShape).
     [[nodiscard]] float weight(int pixel_x, int pixel_y, const CameraSample& sample) const;
     /// Whether any weight can differ from 1.
     [[nodiscard]] bool has_weights() const {

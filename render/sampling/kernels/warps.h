@@ -73,32 +73,19 @@ CAROM_KERNEL ValueOf<L> sample_trapezoid(ValueOf<L> u, float switch_ratio) {
                      L::select(L::is_less(L::all(1 - ramp_probability), u), closing, open));
 }
 
-/// Where sample_polygon is.
-template <class L>
-struct PolygonPlaceOf {
-    ValueOf<L> blade;
-    ValueOf<L> part;  // of the way from the centre to the blade's edge
-};
-template <class L>
-CAROM_KERNEL PolygonPlaceOf<L> place_in_polygon(ValueOf<L> u, int blades) {
-    const auto count = static_cast<float>(blades);
-    const auto scaled = u * L::all(count);
-    const auto blade = L::smaller(L::rounded_down(scaled), L::all(count - 1));
-    const auto fraction = L::smaller(scaled - blade, L::all(kOneMinusEpsilon));
-    return {blade, L::root(fraction)};
-}
-
 /// See warp.h.
 template <class L>
 CAROM_KERNEL Vec2Of<L> sample_polygon(const Vec2Of<L>& u, int blades, ValueOf<L> rotation_turns) {
     const auto count = static_cast<float>(blades);
-    const PolygonPlaceOf<L> place = place_in_polygon<L>(u.x, blades);
-    const auto r = place.part;
+    const auto scaled = u.x * L::all(count);
+    const auto blade = L::smaller(L::rounded_down(scaled), L::all(count - 1));
+    const auto fraction = L::smaller(scaled - blade, L::all(kOneMinusEpsilon));
+    const auto r = L::root(fraction);  // from the centre to the blade's edge
     const auto corner = [&](ValueOf<L> index) CAROM_KERNEL_ATTRIBUTE {
         return sin_cos_turn<L>(index / L::all(count) + rotation_turns);
     };
-    const SinCosOf<L> a = corner(place.blade);
-    const SinCosOf<L> b = corner(place.blade + L::all(1));
+    const SinCosOf<L> a = corner(blade);
+    const SinCosOf<L> b = corner(blade + L::all(1));
     const auto first = L::all(1) - u.y;
     return {r * (first * a.cosine + u.y * b.cosine), r * (first * a.sine + u.y * b.sine)};
 }
