@@ -234,15 +234,27 @@ TEST(CatEye, ImagePoints_AreStoppedAsRaysAreWeakened) {
     const V3f point = frame.position + ray.direction * (2.2F / ray.direction.dot(frame.forward));
     test::TestRandom random(6);
     int seen = 0;
+    Vec2 seen_through(0, 0);  // sums of points of the lens
+    Vec2 weighted(0, 0);
     constexpr int kCount = 100'000;
     for (int i = 0; i < kCount; ++i) {
-        const ThinLensCamera::Aperture aperture = camera.aperture(random_sample(random));
+        const CameraSample sample = random_sample(random);
+        const ThinLensCamera::Aperture aperture = camera.aperture(sample);
         const V3f direction = (point - aperture.position).normalized();
-        seen += camera.image_point(aperture, direction) ? 1 : 0;
+        if (camera.image_point(aperture, direction)) {
+            seen += 1;
+            seen_through += Vec2(aperture.pupil);
+        }
+        const V2f place = lens_point(camera, camera.ray(20, 30, sample));
+        weighted +=
+            static_cast<double>(camera.weight(20, 30, sample)) *
+            Vec2(static_cast<double>(place.x) / shape.squeeze, static_cast<double>(place.y));
     }
     const double far = std::hypot(20 - kWidth / 2, 30 - kHeight / 2) / kCorner;
     EXPECT_NEAR(static_cast<double>(seen) / kCount,
                 test::common_area(ratio, far * shift) / std::numbers::pi, 5e-3);
+    EXPECT_GT(weighted.length() / kCount, 0.1) << "on one side of the lens";
+    EXPECT_NEAR((seen_through - weighted).length() / kCount, 0, 5e-3);
 }
 
 TEST(CatEye, Pinhole_IsNotWeakened) {
