@@ -10,6 +10,7 @@
 
 #include "core/vectors.h"
 #include "pipeline/camera/camera_sound.h"
+#include "pipeline/camera/lens.h"
 #include "pipeline/camera/rational.h"
 
 namespace carom::pipeline {
@@ -192,6 +193,7 @@ struct CameraRig {
     Eased<Vec3> up{{0, 0, 1}, {0, 0, 1}};
     Eased<int> blades{0, 0};    // 0: round, else >= 3; rounded while it changes
     double blade_rotation = 0;  // rad
+    Lens lens{};
     std::optional<Framing> framing{};
     std::optional<Shake> shake{};
     /// The part of its path that the rig films, as fractions: [0, 1] is the whole path, [1, 0] the

@@ -126,6 +126,7 @@ PlannedFrame plan_frame_of(std::int64_t number, const CameraRig& rig, const Film
     frame.camera_open.blades = blades;
     frame.camera_close.blades = blades;
     frame.speed = speed_at(rig, exposure.video_time).to_double();
+    frame.look = rig.lens.look;
     if (frame.scene_close < frame.scene_open) {
         std::swap(frame.scene_open, frame.scene_close);
         std::swap(frame.camera_open, frame.camera_close);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/camera/camera_rig.h"
+#include "pipeline/camera/lens_look.h"
 #include "render/camera/camera_state.h"
 #include "sim/timeline/timeline.h"
 
@@ -28,6 +29,7 @@ struct PlannedFrame {
     double weight = 1;  // in the picture: below 1 during a cross-fade with another rig
     render::CameraState camera_open;   // at scene_open
     render::CameraState camera_close;  // at scene_close
+    LensLook look{};                   // does not belong to the picture that is rendered
 };
 
 /// The number of frames of the film: those n with n / fps in [start, end) of some rig.

@@ -58,6 +58,32 @@ double eased_lens_radius(const CameraRig& rig, Progress progress, double fov) {
                              lens_radius(change.to, fov, sensor), change.progress));
 }
 
+double focus_at(const CameraRig& rig, const RigInstant& instant, const sim::Timeline& timeline,
+                const render::CameraState& camera) {
+    const Change<Focus> focus = change_at(rig.focus, rig, instant.progress);
+    const double distance =
+        mix(focus_distance(focus.from, camera, instant.scene_time, timeline),
+            focus_distance(focus.to, camera, instant.scene_time, timeline), focus.progress);
+    if (!(distance > 0)) {
+        throw Error("the focus distance is not above 0");
+    }
+    return distance;
+}
+
+/// The field of view `fov` of a lens that is focused at the distance.
+double breathing_fov(const CameraRig& rig, double fov, double distance) {
+    const double half = tangent(fov / 2);
+    const double narrower = narrowing(rig.sensor_height / 2 / half, distance, rig.lens.breathing);
+    return 2 * arctangent2(half / narrower, 1);
+}
+
+/// The camera as its path and its framing place it, and as it is held.
+render::CameraState placed(const render::CameraState& camera, const CameraRig& rig,
+                           const RigInstant& instant) {
+    render::CameraState result = rig.framing ? framed(camera, *rig.framing, rig.aspect) : camera;
+    return rig.shake ? shaken(result, *rig.shake, written_time(rig, instant.progress)) : result;
+}
+
 Vec3 up_of(const CameraRig& rig, Progress progress, const Vec3& axis) {
     const Vec3 up = value_at(rig.up, rig, progress);
     return rig.up_turns ? steady_up(*rig.up_turns, progress.done, axis.normalized(), up) : up;
@@ -132,20 +158,22 @@ render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant
     camera.roll = value_at(rig.roll, rig, instant.progress);
     camera.vertical_fov = vertical_field_of_view(rig, instant.progress);
     check_view(camera);
-    if (rig.framing) {
-        camera = framed(camera, *rig.framing, rig.aspect);
+    if (rig.lens.shape != render::LensShape()) {
+        camera.lens = rig.lens.shape;
     }
-    if (rig.shake) {
-        camera = shaken(camera, *rig.shake, written_time(rig, instant.progress));
+    const double fov = camera.vertical_fov;  // focused at infinity
+    const render::CameraState unplaced = camera;
+    camera = placed(unplaced, rig, instant);
+    camera.focus_distance = focus_at(rig, instant, timeline, camera);
+    // The field of view depends on the distance, and with a framing the distance on the field of
+    // view, which changes it little.
+    for (int i = 0; i < 3 && rig.lens.breathing > 0; ++i) {
+        render::CameraState breathing = unplaced;
+        breathing.vertical_fov = breathing_fov(rig, fov, camera.focus_distance);
+        camera = placed(breathing, rig, instant);
+        camera.focus_distance = focus_at(rig, instant, timeline, camera);
     }
-    const Change<Focus> focus = change_at(rig.focus, rig, instant.progress);
-    camera.focus_distance =
-        mix(focus_distance(focus.from, camera, instant.scene_time, timeline),
-            focus_distance(focus.to, camera, instant.scene_time, timeline), focus.progress);
-    if (!(camera.focus_distance > 0)) {
-        throw Error("the focus distance is not above 0");
-    }
-    camera.lens_radius = eased_lens_radius(rig, instant.progress, camera.vertical_fov);
+    camera.lens_radius = eased_lens_radius(rig, instant.progress, fov);
     camera.blades = blades_at(rig, instant.progress);
     camera.blade_rotation = rig.blade_rotation;
     return camera;

@@ -35,11 +35,10 @@ std::array<Vec3, 8> corners_of(const Imath::Box3d& box) {
 bool may_be_in_picture(const render::CameraState& camera, double aspect,
                        const std::array<Vec3, 8>& points) {
     const ViewAxes axes = view_axes(camera);
-    const double half_height = tangent(camera.vertical_fov / 2);
-    const double half_width = half_height * aspect;
-    const std::array<Vec3, 5> inwards{
-        axes.ahead, half_width * axes.ahead - axes.right, half_width * axes.ahead + axes.right,
-        half_height * axes.ahead - axes.up, half_height * axes.ahead + axes.up};
+    const Vec2 half = outermost(camera, aspect);
+    const std::array<Vec3, 5> inwards{axes.ahead, half.x * axes.ahead - axes.right,
+                                      half.x * axes.ahead + axes.right,
+                                      half.y * axes.ahead - axes.up, half.y * axes.ahead + axes.up};
     return std::ranges::all_of(inwards, [&](const Vec3& normal) {
         return std::ranges::any_of(
             points, [&](const Vec3& point) { return normal.dot(point - camera.position) > 0; });

@@ -28,6 +28,7 @@
 #include "pipeline/job/film_status.h"
 #include "pipeline/job/frame_graphics.h"
 #include "pipeline/job/job_metadata.h"
+#include "pipeline/job/viewed_frame.h"
 #include "pipeline/sequence/load_sequence.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
@@ -280,7 +281,7 @@ void run(const FrameCommand& command, CommandContext& context) {
         frame, pipeline::with_fitted_paths(input.shot.cameras, bake.timeline), input.shot.timing,
         bake.timeline);
     pipeline::write_picture(
-        film, view, frame, path,
+        film, view, pipeline::viewed_frame(layers), path,
         pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film),
         [&](std::span<std::uint8_t> rgb, int width, int height) {
             graphics.draw(layers, rgb, width, height);

@@ -9,6 +9,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/job/frame_graphics.h"
+#include "pipeline/job/viewed_frame.h"
 #include "pipeline/plan/plan_colours.h"
 #include "pipeline/sheet/contact_sheet.h"
 #include "pipeline/video/picture_kind.h"
@@ -91,7 +92,8 @@ void write_frames_sheet(const Shot& shot, const sim::Bake& bake,
             pipeline::make_frame(shot, bake, number, options, {}, context.stop);
         const std::vector<PlannedFrame> layers =
             pipeline::plan_mixed_frame(number, rigs, shot.timing, bake.timeline);
-        DisplayPicture picture{film.width, film.height, view.to_8(film, number)};
+        DisplayPicture picture{film.width, film.height,
+                               view.to_8(film, pipeline::viewed_frame(layers))};
         graphics.draw_annotations(layers, picture.rgb, film.width, film.height);
         cells.push_back({reduced(picture, sheet.most_width), line_of(layers.front()),
                          colour_of(shot, layers.front().rig)});

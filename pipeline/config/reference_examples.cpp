@@ -445,6 +445,24 @@ cameras:
     target: [0, 0, 0]
     fov: {from: 40 deg, to: 30 deg, easing: smooth}
 )"},
+        {"lens", R"(cameras:
+  - video: [0 s, 1 s]
+    scene: [0 s, 1 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    focal_length: 50 mm
+    f_number: 2
+    lens: {squeeze: 0.55, distortion: -0.02, breathing: 0.5, falloff: 0.6, lateral_colour: 0.001}
+  - {video: [1 s, 2 s], scene: 1 s, position: [0, -2, 1], target: [0, 0, 0], lens: prime}
+)"},
+        {"cat_eye", R"(cameras:
+  - video: [0 s, 1 s]
+    scene: [0 s, 1 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    f_number: 1.4
+    lens: {cat_eye: {ratio: 1.1, shift: 0.6}, falloff: 0.5}
+)"},
         {"changing focal_length", R"(cameras:
   - video: [0 s, 2 s]
     scene: [0 s, 2 s]

@@ -15,6 +15,7 @@
 #include "pipeline/job/frame_signal.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/shot_sound.h"
+#include "pipeline/job/viewed_frame.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/light_meter.h"
 #include "pipeline/video/pending_file.h"
@@ -153,7 +154,7 @@ class SequenceSink : public FilmSink {
         const render::Film exported = exported_frame(picture, source_, frame);
         const std::vector<PlannedFrame> layers = source_.layers(frame);
         write_picture(
-            exported, view_, frame, path_in_sequence(pattern_, frame),
+            exported, view_, viewed_frame(layers), path_in_sequence(pattern_, frame),
             exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported),
             [&](std::span<std::uint8_t> rgb, int width, int height) {
                 graphics_.draw(layers, rgb, width, height);

@@ -33,6 +33,7 @@ class FrameSignal {
     DisplayView view_;
     FrameGraphics graphics_;
     std::vector<std::uint16_t> display_;
+    LensView lens_;                       // of `display_`
     std::vector<std::uint16_t> written_;  // with annotations and overlay
 };
 

@@ -12,6 +12,17 @@ struct SeenPoint {
     double inverse_depth = 0;  // 1/m; linear along straight lines of the picture
 };
 
+/// The distortion of a lens on a picture (render/camera/lens_distortion.h).
+struct PictureBend {
+    Vec2 centre{0, 0};  // pixels
+    double k = 0;       // 1/pixels^2; 0: none
+
+    /// Where a place is that would be at `place` without distortion.
+    [[nodiscard]] Vec2 bent(const Vec2& place) const;
+    /// The inverse.
+    [[nodiscard]] Vec2 straight(const Vec2& place) const;
+};
+
 /// Depth is the distance from the camera along its optical axis.
 class Pinhole {
   public:
@@ -32,7 +43,13 @@ class Pinhole {
     /// Towards a place on the picture; its length is 1 along the optical axis.
     [[nodiscard]] Vec3 direction(const Vec2& place) const;
 
-    /// The length that a pixel has at that depth, m.
+    /// The same without the lens's distortion, for which straight lines of the scene are straight
+    /// on the picture and directions are linear in places.
+    [[nodiscard]] SeenPoint project_straight(const Vec3& point) const;
+    [[nodiscard]] Vec3 straight_direction(const Vec2& place) const;
+    [[nodiscard]] const PictureBend& bend() const { return bend_; }
+
+    /// The length that a pixel in the middle of the picture has at that depth, m.
     [[nodiscard]] double pixel_size(double depth) const { return pixel_size_ * depth; }
 
     [[nodiscard]] const Vec3& up() const { return up_; }  // unit, upwards in the picture
@@ -41,6 +58,7 @@ class Pinhole {
     Vec3 position_, forward_, right_, up_;
     double pixel_size_ = 0;  // at depth 1
     Vec2 centre_;
+    PictureBend bend_;
 };
 
 }  // namespace carom::pipeline

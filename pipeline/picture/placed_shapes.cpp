@@ -101,15 +101,22 @@ class Placer {
             return;  // behind the camera, or seen from the side
         }
         PlacedArea placed;
-        for (const Vec3& corner : corners) {
-            placed.corners.push_back(view_.project(corner).place);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const SeenPoint from = view_.project_straight(corners[i]);
+            const SeenPoint to = view_.project_straight(corners[(i + 1) % corners.size()]);
+            for (const PlacedPoint& point : bent({from.place}, {to.place})) {
+                placed.corners.push_back(point.place);
+            }
         }
         placed.colour = area.colour;
         placed.opacity = area.opacity;
-        // normal . (depth * direction) = distance, and the direction is linear in the place.
-        placed.constant = normal.dot(view_.direction({0, 0})) / distance;
-        placed.slope = Vec2(normal.dot(view_.direction({1, 0})) / distance - placed.constant,
-                            normal.dot(view_.direction({0, 1})) / distance - placed.constant);
+        // normal . (depth * direction) = distance, and the direction is linear in the place without
+        // distortion.
+        placed.constant = normal.dot(view_.straight_direction({0, 0})) / distance;
+        placed.slope =
+            Vec2(normal.dot(view_.straight_direction({1, 0})) / distance - placed.constant,
+                 normal.dot(view_.straight_direction({0, 1})) / distance - placed.constant);
+        placed.bend = view_.bend();
         result.emplace_back(std::move(placed));
     }
 
@@ -162,12 +169,43 @@ class Placer {
         return line;
     }
 
+    [[nodiscard]] PlacedPoint straight_place(const StrongPoint& point) const {
+        const SeenPoint at = view_.project_straight(point.at);
+        return {at.place, at.inverse_depth, point.strength};
+    }
+
+    /// A piece of a line from one place without distortion to the next, as the lens bends it: its
+    /// points but the last.
+    [[nodiscard]] std::vector<PlacedPoint> bent(const PlacedPoint& from,
+                                                const PlacedPoint& to) const {
+        constexpr double kLongest = 1.0 / 40;  // picture heights
+        constexpr double kMost = 200;
+        const PictureBend& bend = view_.bend();
+        const double length = (to.place - from.place).length() / view_.size().y;
+        const int pieces =
+            bend.k == 0 ? 1
+                        : static_cast<int>(std::ceil(std::clamp(length / kLongest, 1.0, kMost)));
+        std::vector<PlacedPoint> points;
+        for (int i = 0; i < pieces; ++i) {
+            const double u = static_cast<double>(i) / pieces;
+            points.push_back({bend.bent(from.place + u * (to.place - from.place)),
+                              from.inverse_depth + u * (to.inverse_depth - from.inverse_depth),
+                              from.strength + u * (to.strength - from.strength)});
+        }
+        return points;
+    }
+
     void add(const StrongLine& points, PlacedLine line) {
         double length = 0;
-        for (const StrongPoint& point : points) {
-            const SeenPoint at = view_.project(point.at);
-            length += line.points.empty() ? 0 : (at.place - line.points.back().place).length();
-            line.points.push_back({at.place, at.inverse_depth, point.strength});
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool is_last = i + 1 == points.size();
+            const PlacedPoint from = straight_place(points[i]);
+            const PlacedPoint to =
+                is_last && !line.is_closed ? from : straight_place(points[(i + 1) % points.size()]);
+            for (const PlacedPoint& at : bent(from, to)) {
+                length += line.points.empty() ? 0 : (at.place - line.points.back().place).length();
+                line.points.push_back(at);
+            }
         }
         line.head = std::min(line.head, kMostHead * length);
         result.emplace_back(std::move(line));

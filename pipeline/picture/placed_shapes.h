@@ -34,9 +34,10 @@ struct PlacedArea {
     std::vector<Vec2> corners;  // pixels
     Vec3 colour{1, 1, 1};       // linear
     double opacity = 1;
-    // 1/depth at a place, 1/m: constant + slope . place
+    // 1/depth at a place, 1/m: constant + slope . bend.straight(place)
     double constant = 0;
     Vec2 slope{0, 0};
+    PictureBend bend{};
 };
 
 struct PlacedText {

@@ -147,8 +147,8 @@ void SceneLayer::draw(const PlacedText& text) {
 void SceneLayer::set_depth(const PlacedArea& area) {
     for (int row = 0; row < rows(); ++row) {
         for (int column = 0; column < columns(); ++column) {
-            samples_[index(column, row)].inverse_depth =
-                static_cast<float>(area.constant + area.slope.dot(place_of(column, row)));
+            samples_[index(column, row)].inverse_depth = static_cast<float>(
+                area.constant + area.slope.dot(area.bend.straight(place_of(column, row))));
         }
     }
 }

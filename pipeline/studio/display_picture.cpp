@@ -37,10 +37,13 @@ render::Film glowing(const render::Film& film, const pipeline::OutputSettings& o
 
 std::vector<std::uint8_t> display_rgba(const render::Film& film,
                                        const pipeline::OutputSettings& output,
-                                       const pipeline::DisplayView& view, std::int64_t frame,
+                                       const pipeline::DisplayView& view,
+                                       const pipeline::ViewedFrame& frame,
                                        const pipeline::DrawOver& draw_over,
                                        const std::stop_token& stop) {
-    const render::Film source = glowing(film, output, stop);
+    const render::Film source = frame.lens.is_seen()
+                                    ? glowing(pipeline::with_lens(film, frame.lens), output, stop)
+                                    : glowing(film, output, stop);
     const auto width = static_cast<std::size_t>(film.width);
     const auto height = static_cast<std::size_t>(film.height);
     std::vector<std::uint8_t> rgb(3 * width * height);
@@ -51,7 +54,7 @@ std::vector<std::uint8_t> display_rgba(const render::Film& film,
         }
         const int first = static_cast<int>(band) * kRowsAtOnce;
         const std::vector<std::uint8_t> rows =
-            view.rows_to_8(source, first, std::min(first + kRowsAtOnce, film.height), frame);
+            view.rows_to_8(source, first, std::min(first + kRowsAtOnce, film.height), frame.number);
         std::copy(
             rows.begin(), rows.end(),
             rgb.begin() + static_cast<std::ptrdiff_t>(3 * width * static_cast<std::size_t>(first)));

@@ -18,7 +18,7 @@ namespace carom::studio {
 [[nodiscard]] std::vector<std::uint8_t> display_rgba(const render::Film& film,
                                                      const pipeline::OutputSettings& output,
                                                      const pipeline::DisplayView& view,
-                                                     std::int64_t frame,
+                                                     const pipeline::ViewedFrame& frame,
                                                      const pipeline::DrawOver& draw_over,
                                                      const std::stop_token& stop);
 

@@ -12,6 +12,7 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/mixed_film.h"
+#include "pipeline/job/viewed_frame.h"
 #include "pipeline/picture/lit_annotations.h"
 #include "pipeline/store/claim_note.h"
 #include "pipeline/store/file_descriptor.h"
@@ -83,7 +84,7 @@ std::optional<SmallPicture> FilmThumbnails::small(std::int64_t frame) {
             film = std::move(small);
         }
     }
-    std::vector<std::uint8_t> rgb = view_.to_8(*film, frame);
+    std::vector<std::uint8_t> rgb = view_.to_8(*film, pipeline::viewed_frame(layers));
     graphics_.draw_annotations(layers, rgb, film->width, film->height);
     return SmallPicture{std::move(rgb), film->width, film->height};
 }

@@ -11,6 +11,7 @@
 #include "pipeline/job/denoised_picture.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/mixed_film.h"
+#include "pipeline/job/viewed_frame.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/studio/channel_picture.h"
 #include "pipeline/studio/display_picture.h"
@@ -217,8 +218,9 @@ void PictureRounds::paint(Work& work, std::size_t level, const render::Film& fil
             graphics_->draw_in_scene(question.planned.front(), rgb, width, height);
         }
     };
-    picture.rgba = display_rgba(film, question.shot.output, work.view,
-                                question.planned.front().number, draw_over, work.context.stop);
+    picture.rgba =
+        display_rgba(film, question.shot.output, work.view,
+                     pipeline::viewed_frame(question.planned), draw_over, work.context.stop);
 }
 
 bool PictureRounds::read_stored(Work& work) {

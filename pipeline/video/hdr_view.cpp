@@ -100,7 +100,10 @@ double compress_highlights(double light, double peak) {
 }
 
 std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettings& output,
-                                    std::int64_t frame) {
+                                    const ViewedFrame& frame) {
+    if (frame.lens.is_seen()) {
+        return to_hdr10(with_lens(film, frame.lens), output, frame.number);
+    }
     static const PqTable pq;
     CAROM_ASSERT(output.hdr10.has_value());
     const Hdr10Settings& settings = *output.hdr10;
@@ -127,7 +130,7 @@ std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettin
         }
     }
     if (output.grain > 0) {
-        add_grain(signal, {frame, film.width, film.height, 0}, output.grain);
+        add_grain(signal, {frame.number, film.width, film.height, 0}, output.grain);
     }
     return signal;
 }

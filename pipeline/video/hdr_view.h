@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/vectors.h"
+#include "pipeline/video/lens_view.h"
 #include "pipeline/video/output_settings.h"
 #include "render/film/film.h"
 
@@ -27,11 +28,12 @@ namespace carom::pipeline {
 [[nodiscard]] double compress_highlights(double light, double peak);
 
 /// 16-bit RGB (width * height * 3) of BT.2020's primaries, PQ-encoded, row by row from the top
-/// left. Glow, exposure and grade are applied first; scene light 1 becomes `hdr10.white`; colours
-/// whose largest channel exceeds half the peak are scaled down as a whole, so that hues stay the
-/// same. The view of `output` is not used; each `frame` has a grain of its own (grain.h). Values
-/// below 0 and NaN become black.
+/// left. The frame's lens, glow, exposure and grade are applied first; scene light 1 becomes
+/// `hdr10.white`; colours whose largest channel exceeds half the peak are scaled down as a whole,
+/// so that hues stay the same. The view of `output` is not used; each `frame` has a grain of its
+/// own (grain.h). Values below 0 and NaN become black.
 [[nodiscard]] std::vector<std::uint16_t> to_hdr10(const render::Film& film,
-                                                  const OutputSettings& output, std::int64_t frame);
+                                                  const OutputSettings& output,
+                                                  const ViewedFrame& frame);
 
 }  // namespace carom::pipeline

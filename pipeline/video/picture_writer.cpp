@@ -31,7 +31,7 @@ void write_atomically(const std::string& path, const Write& write) {
 
 }  // namespace
 
-void write_picture(const render::Film& film, const DisplayView& view, std::int64_t frame,
+void write_picture(const render::Film& film, const DisplayView& view, const ViewedFrame& frame,
                    const std::string& path, const render::ImageMetadata& metadata,
                    const DrawOver& draw_over,
                    const std::optional<render::ExrStandardAttributes>& standard) {

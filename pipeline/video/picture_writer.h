@@ -20,7 +20,7 @@ using DrawOver = std::function<void(std::span<std::uint8_t> rgb, int width, int 
 /// Writes the format of the extension (picture_kind.h): .exr with the computed values, others
 /// through the view, as the film's `frame`, and with what `draw_over`, if given, draws. `standard`
 /// is used only for .exr. The file appears complete or not at all. Throws Error naming `path`.
-void write_picture(const render::Film& film, const DisplayView& view, std::int64_t frame,
+void write_picture(const render::Film& film, const DisplayView& view, const ViewedFrame& frame,
                    const std::string& path, const render::ImageMetadata& metadata,
                    const DrawOver& draw_over = {},
                    const std::optional<render::ExrStandardAttributes>& standard = {});

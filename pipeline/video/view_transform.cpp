@@ -164,10 +164,14 @@ DisplayView::DisplayView(const OutputSettings& output) : output_(output) {
     }
 }
 
-std::vector<std::uint16_t> DisplayView::to_16(const render::Film& film, std::int64_t frame) const {
-    return output_.glow.is_seen()
-               ? rows_to_16(with_glow(film, output_.glow, output_.exposure), 0, film.height, frame)
-               : rows_to_16(film, 0, film.height, frame);
+std::vector<std::uint16_t> DisplayView::to_16(const render::Film& film,
+                                              const ViewedFrame& frame) const {
+    if (frame.lens.is_seen()) {
+        return to_16(with_lens(film, frame.lens), frame.number);
+    }
+    return output_.glow.is_seen() ? rows_to_16(with_glow(film, output_.glow, output_.exposure), 0,
+                                               film.height, frame.number)
+                                  : rows_to_16(film, 0, film.height, frame.number);
 }
 
 std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, int first, int end,
@@ -229,7 +233,8 @@ std::vector<std::uint8_t> dithered(const std::vector<std::uint16_t>& fine, int p
 
 }  // namespace
 
-std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film, std::int64_t frame) const {
+std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film,
+                                            const ViewedFrame& frame) const {
     return dithered(to_16(film, frame), film.width, 0);
 }
 

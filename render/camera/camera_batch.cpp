@@ -36,6 +36,7 @@ HWY_INLINE void make_rays_at(const CameraConstants& camera, const CameraFixings&
         L::store(ray.direction[axis], batch.direction[axis] + first);
     }
     L::store(ray.time, batch.time + first);
+    L::store(ray.weight, batch.weight + first);
 }
 
 inline HWY_ATTR void make_rays_in_lanes(const CameraConstants& camera, const CameraFixings& fixings,

@@ -28,7 +28,7 @@ struct CameraBatch {
     explicit CameraBatch(int room = kUsual)
         : capacity(room),
           words_(5 * (static_cast<std::size_t>(room) + kBeyond)),
-          numbers_(7 * (static_cast<std::size_t>(room) + kBeyond)) {
+          numbers_(8 * (static_cast<std::size_t>(room) + kBeyond)) {
         const std::ptrdiff_t size = std::ptrdiff_t{room} + kBeyond;
         std::int32_t* word = words_.data();
         for (std::int32_t** array : {&x, &y, &sample, &pixel_hash, &reversed_sample}) {
@@ -36,7 +36,7 @@ struct CameraBatch {
         }
         float* number = numbers_.data();
         for (float** array : {&origin[0], &origin[1], &origin[2], &direction[0], &direction[1],
-                              &direction[2], &time}) {
+                              &direction[2], &time, &weight}) {
             *array = std::exchange(number, number + size);
         }
     }
@@ -53,6 +53,7 @@ struct CameraBatch {
     // The sample's ray.
     std::array<float*, 3> origin, direction;
     float* time;
+    float* weight;  // of its light (ThinLensCamera::weight)
 
     /// Appends a sample without its ray.
     void add(const SampleStream& stream, const SampleIndex& index) {

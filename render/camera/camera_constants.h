@@ -23,6 +23,14 @@ struct CameraAtTime {
     float blade_rotation = 0;  // rad
 };
 
+/// A LensShape with lengths in pixels.
+struct LensShapeConstants {
+    float squeeze = 1;
+    float distortion = 0;     // 1/pixels^2, see lens_distortion.h
+    float cat_eye_ratio = 1;  // in radii of the lens
+    float cat_eye_shift = 0;  // in radii of the lens per pixel from the picture's centre
+};
+
 /// A ThinLensCamera. Borrows the tables of its filter.
 struct CameraConstants {
     CameraAtTime open, close;
@@ -31,6 +39,7 @@ struct CameraConstants {
     int blades = 0;
     bool moves = false;
     bool has_lens = false;
+    LensShapeConstants shape;
     PixelFilterTables filter;
 };
 

@@ -7,6 +7,7 @@
 #include "core/elementary.h"
 #include "core/error.h"
 #include "core/finite.h"
+#include "render/camera/lens_distortion.h"
 #include "render/camera/scalar_kernels.h"
 
 namespace carom::render {
@@ -14,10 +15,24 @@ namespace {
 
 using scalar::One;
 
+constexpr double kMostDistortion = 0.3;
 constexpr double kSmallestSine = 1e-6;  // between the optical axis and `up`
 
 [[noreturn]] void refuse(const std::string& what) {
     throw Error("camera: " + what);
+}
+
+void check(const LensShape& shape) {
+    if (!(shape.cat_eye_ratio >= 1 && std::isfinite(shape.cat_eye_ratio)) ||
+        !(shape.cat_eye_shift >= 0 && shape.cat_eye_shift < shape.cat_eye_ratio)) {
+        refuse("the cat's eye needs a ratio of at least 1 and a shift from 0 to below the ratio");
+    }
+    if (!(shape.squeeze > 0 && shape.squeeze <= 1)) {
+        refuse("the squeeze of the lens must lie above 0 and not above 1");
+    }
+    if (!(std::abs(shape.distortion) <= kMostDistortion)) {
+        refuse("the distortion of the lens must lie between -0.3 and 0.3");
+    }
 }
 
 void check(const CameraState& state) {
@@ -44,6 +59,16 @@ void check(const CameraState& state) {
     if (state.blades != 0 && state.blades < 3) {
         refuse("the number of lens blades must be 0 or at least 3");
     }
+    check(state.lens.value_or(LensShape()));
+}
+
+LensShapeConstants shape_constants(const LensShape& shape, int width, int height) {
+    const double corner =
+        0.5 * std::sqrt(static_cast<double>(width) * width + static_cast<double>(height) * height);
+    return {static_cast<float>(shape.squeeze),
+            static_cast<float>(distortion_per_pixel2(shape.distortion, width, height)),
+            static_cast<float>(shape.cat_eye_ratio),
+            static_cast<float>(shape.cat_eye_shift / corner)};
 }
 
 CameraAtTime make_frame(const CameraState& state, int height) {
@@ -87,6 +112,7 @@ ThinLensCamera::ThinLensCamera(const CameraState& open, const CameraState& close
     constants_.blades = open.blades;
     constants_.moves = !(open == close);
     constants_.has_lens = open.lens_radius > 0 || close.lens_radius > 0;
+    constants_.shape = shape_constants(open.lens.value_or(LensShape()), width, height);
 }
 
 CameraFrame ThinLensCamera::frame_at(float time) const {
@@ -100,18 +126,33 @@ Ray ThinLensCamera::ray(int pixel_x, int pixel_y, const CameraSample& sample) co
     return {made.origin, made.direction, 0, kInfinity, made.time, RayKind::primary};
 }
 
+float ThinLensCamera::weight(int pixel_x, int pixel_y, const CameraSample& sample) const {
+    return scalar::camera_ray<One>(constants(),
+                                   {static_cast<float>(pixel_x), static_cast<float>(pixel_y)},
+                                   {sample.pixel, sample.lens, sample.time})
+        .weight;
+}
+
 ThinLensCamera::Aperture ThinLensCamera::aperture(const CameraSample& sample) const {
     const float time = scalar::sample_trapezoid<One>(sample.time, constants_.switch_ratio);
-    Aperture result{frame_at(time), {}, time};
+    Aperture result{frame_at(time), {}, time, {0, 0}};
     result.position = result.frame.position;
     if (constants_.has_lens) {
-        result.position += scalar::point_on_lens<One>(result.frame, constants_.blades, sample.lens);
+        result.pupil = scalar::sample_pupil<One>(result.frame, constants_.blades, sample.lens);
+        result.position += scalar::point_on_lens<One>(result.frame, constants_.shape, result.pupil);
     }
     return result;
 }
 
+/// `place`: from the picture's centre, y upwards.
+bool ThinLensCamera::is_stopped(const V2f& pupil, const V2f& place) const {
+    const V2f from_second = pupil + place * constants_.shape.cat_eye_shift;
+    return has_weights() &&
+           from_second.length2() > constants_.shape.cat_eye_ratio * constants_.shape.cat_eye_ratio;
+}
+
 // The ray crosses the focus plane at the picture's point. A pixel there has the side focus_distance
-// * pixel_size and is seen at the angle between ray and axis.
+// * pixel_size without distortion and is seen at the angle between ray and axis.
 std::optional<ThinLensCamera::ImagePoint> ThinLensCamera::image_point(const Aperture& aperture,
                                                                       const V3f& direction) const {
     constexpr float kLeastForwardCosine = 1e-3f;
@@ -123,15 +164,21 @@ std::optional<ThinLensCamera::ImagePoint> ThinLensCamera::image_point(const Aper
     const V3f in_focus =
         (aperture.position - frame.position) / frame.focus_distance + direction / cosine;
     const float scale = 1 / frame.pixel_size;
-    const V2f place(constants_.centre.x + in_focus.dot(frame.right) * scale,
-                    constants_.centre.y - in_focus.dot(frame.up) * scale);
+    const float k = constants_.shape.distortion;
+    V2f from_centre(in_focus.dot(frame.right) * scale, in_focus.dot(frame.up) * scale);
+    if (k != 0) {
+        from_centre = distorted(from_centre, k);
+    }
+    const V2f place(constants_.centre.x + from_centre.x, constants_.centre.y - from_centre.y);
     const auto filter_radius = static_cast<float>(0.5 * filter_.width());
     if (place.x < -filter_radius || place.y < -filter_radius ||
         place.x > 2 * constants_.centre.x + filter_radius ||
-        place.y > 2 * constants_.centre.y + filter_radius) {
+        place.y > 2 * constants_.centre.y + filter_radius ||
+        is_stopped(aperture.pupil, from_centre)) {
         return std::nullopt;
     }
-    return ImagePoint{place, frame.pixel_size * frame.pixel_size * cosine * cosine * cosine};
+    const float solid_angle = frame.pixel_size * frame.pixel_size * cosine * cosine * cosine;
+    return ImagePoint{place, k != 0 ? solid_angle * undistorted_area(from_centre, k) : solid_angle};
 }
 
 std::optional<V2f> ThinLensCamera::project(const V3f& point, float time) const {
@@ -142,8 +189,11 @@ std::optional<V2f> ThinLensCamera::project(const V3f& point, float time) const {
         return std::nullopt;
     }
     const float scale = 1 / (depth * frame.pixel_size);
-    return V2f(constants_.centre.x + relative.dot(frame.right) * scale,
-               constants_.centre.y - relative.dot(frame.up) * scale);
+    V2f from_centre(relative.dot(frame.right) * scale, relative.dot(frame.up) * scale);
+    if (constants_.shape.distortion != 0) {
+        from_centre = distorted(from_centre, constants_.shape.distortion);
+    }
+    return V2f(constants_.centre.x + from_centre.x, constants_.centre.y - from_centre.y);
 }
 
 float ThinLensCamera::pixel_solid_angle() const {

@@ -18,8 +18,8 @@ using CameraFrame = scalar::CameraFrameOf<scalar::One>;
 /// target, up, roll, focus, lens and the tangent of half the field of view change linearly.
 /// Immutable; every method may be called from any thread.
 ///
-/// The focus plane is perpendicular to the optical axis. Pixel (0, 0) is at the top left; the
-/// picture's centre is (width / 2, height / 2).
+/// The shape of the lens is that of `open`. The focus plane is perpendicular to the optical axis.
+/// Pixel (0, 0) is at the top left; the picture's centre is (width / 2, height / 2).
 class ThinLensCamera {
   public:
     /// `switch_ratio`: fraction of the exposure in which the shutter opens and closes, [0, 1].
@@ -33,13 +33,22 @@ class ThinLensCamera {
     /// the picture does not depend on the sample's lens and time, to the last bit.
     [[nodiscard]] Ray ray(int pixel_x, int pixel_y, const CameraSample& sample) const;
 
+    /// The factor of the light along that ray: 1 but for the cat's eye of a lens (LensShape).
+    [[nodiscard]] float weight(int pixel_x, int pixel_y, const CameraSample& sample) const;
+    /// Whether any weight can differ from 1.
+    [[nodiscard]] bool has_weights() const {
+        return constants_.has_lens && constants_.shape.cat_eye_shift > 0;
+    }
+
     /// A point on the lens at one time.
     struct Aperture {
         CameraFrame frame;
         V3f position;
         float time = 0;
+        V2f pupil{0, 0};  // in radii of the lens, before it is squeezed
     };
-    /// The origin of `ray` for the same lens and time.
+    /// A point of the open pupil; if has_weights() is false, the origin of `ray` for the same lens
+    /// and time.
     [[nodiscard]] Aperture aperture(const CameraSample& sample) const;
 
     /// Where in the picture light from a direction lands.
@@ -48,7 +57,8 @@ class ThinLensCamera {
         float pixel_solid_angle = 0;  // sr per pixel there, seen from that point of the lens
     };
     /// Light that arrives at a point on the lens along the unit `direction`; empty if it comes from
-    /// behind or lands outside the picture by more than the filter radius.
+    /// behind, lands outside the picture by more than the filter radius or is stopped by the
+    /// second opening of the lens (LensShape).
     [[nodiscard]] std::optional<ImagePoint> image_point(const Aperture& aperture,
                                                         const V3f& direction) const;
 
@@ -72,6 +82,8 @@ class ThinLensCamera {
     [[nodiscard]] float pixel_solid_angle() const;
 
   private:
+    [[nodiscard]] bool is_stopped(const V2f& pupil, const V2f& place) const;
+
     CameraConstants constants_;  // without the filter
     PixelFilterSampler filter_;
 };

@@ -132,6 +132,9 @@ class FeatureTracer::Queue {
         tracer_.integrator_.trace_first_hits(CameraRun::all(batch_), tracer_.pixel_spread_,
                                              results_.data(), workspace_.get());
         for (std::size_t i = 0; i < sums_.size(); ++i) {
+            if (tracer_.camera_.has_weights()) {
+                results_[i].weigh(batch_.weight[i]);
+            }
             sums_[i]->add(results_[i]);
             if (!is_last_round) {
                 sums_[i]->include(PixelFeatures::of(results_[i]));

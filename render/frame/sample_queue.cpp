@@ -58,6 +58,11 @@ int SampleQueue::trace() {
 
 void SampleQueue::flush() {
     const auto traced = static_cast<std::size_t>(trace());
+    if (setting_.camera.has_weights()) {
+        for (std::size_t i = 0; i < traced; ++i) {
+            results_[i].weigh(batch_.weight[i]);
+        }
+    }
     for (std::size_t i = 0; i < traced; ++i) {
         if (!is_usable(results_[i])) {
             const SampleIndex index = CameraRun::all(batch_).index(static_cast<int>(i));

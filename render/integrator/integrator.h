@@ -23,6 +23,12 @@ struct RadianceSample {
     /// Of the radiance: what the camera sees of lights and room, directly or in a smooth coat.
     V3f light{0, 0, 0};
     std::uint32_t object = kNoObject;  // that was hit; lights are numbered after the objects
+
+    /// Light reaches the picture weakened by the lens; what is seen stays the same.
+    void weigh(float weight) {
+        radiance *= weight;
+        light *= weight;
+    }
 };
 
 /// Immutable; shared by all threads.

@@ -4,6 +4,7 @@
 #include "pipeline/config/sections/camera_aids.h"
 #include "pipeline/config/sections/camera_sound.h"
 #include "pipeline/config/sections/camera_values.h"
+#include "pipeline/config/sections/lens.h"
 #include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
@@ -174,6 +175,9 @@ void add_lens(MapSpec<CameraRig>& s) {
     s.key("blades", &CameraRig::blades, eased("blades", integer(0, 64)),
           "number of blades of the iris: 0 (round) or at least 3; like fov, in whole numbers");
     s.key("blade_rotation", &CameraRig::blade_rotation, angle(), "rotation of the iris");
+    s.key("lens", &CameraRig::lens, lens(),
+          "`clean`, a lens without faults; `prime`, a good modern one; `vintage`; `anamorphic`, "
+          "with oval bokeh; `broadcast_zoom`, for sports; or a map of numbers");
     s.at_most_one_of({"aperture", "f_number"});
     s.at_most_one_of({"fov", "focal_length"});
 }

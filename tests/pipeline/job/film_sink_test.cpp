@@ -96,6 +96,22 @@ TEST(ImageSequence, ReversedTime_NegatesTheMotion) {
 }
 
 // The box `clli` of the container has two 16-bit numbers in big-endian order.
+TEST(ImageSequence, LensOfTheView_IsInPicturesAndNotInFrames) {
+    Export job;
+    (void)job.film("clean.##.exr", "4");
+    (void)job.film("clean.##.png", "4");
+    for (CameraRig& rig : job.shot.cameras) {
+        rig.lens.look = {1, 0.002};
+    }
+    EXPECT_EQ(job.film("lens.##.exr", "4").rendered, 0);
+    EXPECT_EQ(job.picture("lens.04.exr").rgba, job.picture("clean.04.exr").rgba);
+    EXPECT_EQ(job.film("lens.##.png", "4").rendered, 0);
+    EXPECT_NE(carom::testing::read_text(job.folder.path("lens.04.png")),
+              carom::testing::read_text(job.folder.path("clean.04.png")));
+    job.shot.cameras[0].lens.shape.distortion = -0.02;
+    EXPECT_EQ(job.film("bent.##.exr", "4").rendered, 1);
+}
+
 TEST(Hdr10, Film_ContainsTheLightLevelsOfItsBrightestFrames) {
     Export job;
     job.shot.output.codec = Codec::hevc;

@@ -157,7 +157,8 @@ TEST(FrameKey, EveryFieldOfTheFrame_Enters) {
     i.frame.scene_close = 2;
     FrameInputs inputs = frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), 0);
     const auto key = [&] { return frame_key(inputs, i.scene, {}, i.settings); };
-    EXPECT_EQ(carom::test::expect_changes_count(inputs.frame, key), 1U + 3 + 2 * (3 * 3 + 6));
+    EXPECT_EQ(carom::test::expect_changes_count(inputs.frame, key),
+              1U + 3 + 2 * (3 * 3 + 6 + 1 + 4));
 }
 
 TEST(FrameKey, EverySettingOfTheIntegrator_Enters) {
@@ -187,12 +188,19 @@ TEST(FrameKey, DenoisedPicture_HasAnotherKeyForEveryFrameAndStrength) {
     EXPECT_TRUE(is_own_key(one) && is_own_key(denoised_key(one, 1)));
 }
 
+TEST(FrameKey, LensThatOnlyTheViewHas_DoesNotEnter) {
+    EXPECT_EQ(Inputs().key(), key_with([](Inputs& i) { i.frame.look = {1, 0.001}; }));
+}
+
 TEST(FrameKey, EveryVisibleChange_ChangesIt) {
     const std::vector<std::pair<const char*, Change>> changes{
         {"scene_open", [](Inputs& i) { i.frame.scene_open = 0.39; }},
         {"scene_close", [](Inputs& i) { i.frame.scene_close = 0.43; }},
         {"camera_open", [](Inputs& i) { i.frame.camera_open.roll = 1; }},
         {"camera_close", [](Inputs& i) { i.frame.camera_close.roll = 1; }},
+        {"lens", [](Inputs& i) { i.frame.camera_open.lens.emplace(); }},
+        {"lens of the other end", [](Inputs& i) { i.frame.camera_close.lens.emplace(); }},
+        {"distortion", [](Inputs& i) { i.frame.camera_open.lens.emplace().distortion = 0.01; }},
         {"switch_ratio", [](Inputs& i) { i.shutter.switch_ratio = 0.5; }},
         {"path", [](Inputs& i) { i.cue[1].position.y = 1e-5; }},
         {"velocity", [](Inputs& i) { i.cue[0].velocity_out.y = 1e-5; }},

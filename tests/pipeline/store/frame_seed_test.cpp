@@ -32,7 +32,7 @@ TEST(FrameSeed, EveryFieldOfTimeAndCamera_ChangesIt) {
                   place != ".switch_ratio" && place != ".seed")
             << place;
     }).of(frame);
-    EXPECT_EQ(seen.size(), 1U + 2 + 2 * (3 * 3 + 6));
+    EXPECT_EQ(seen.size(), 1U + 2 + 2 * (3 * 3 + 6 + 1 + 4));
 }
 
 }  // namespace

@@ -37,8 +37,18 @@ std::vector<CameraCase> camera_cases() {
         state.blades = 7;
         state.blade_rotation = 0.4;
     };
+    const auto shaped = [blades](CameraState& state) {
+        blades(state);
+        state.lens = LensShape{1.1, 0.8, 0.6, -0.05};
+    };
+    const auto round = [shaped](CameraState& state) {
+        shaped(state);
+        state.blades = 0;
+    };
     return {
         {"Pinhole", same, same},
+        {"Shaped", shaped, shaped},
+        {"RoundShaped", round, round},
         {"Lens", lens, lens, 0, PixelFilter::blackman_harris},
         {"Moving", lens, moved, 0.5, PixelFilter::gaussian},
         {"Blades", blades, blades},
@@ -64,6 +74,7 @@ TEST_P(CameraBatches, Rays_AreThoseOfTheCamera) {
         auto batch = std::make_unique<CameraBatch>();
         batch->count = count;
         std::vector<Ray> expected;
+        std::vector<float> weights;
         for (int i = 0; i < count; ++i) {
             const int x = (37 * i) % kWidth;
             const int y = (91 * i) % kHeight;
@@ -81,6 +92,7 @@ TEST_P(CameraBatches, Rays_AreThoseOfTheCamera) {
                 sample.time = 0.5f;
             }
             expected.push_back(camera.ray(x, y, sample));
+            weights.push_back(camera.weight(x, y, sample));
         }
         make_rays(camera, param.fixings, *batch);
         for (int i = 0; i < count; ++i) {
@@ -88,6 +100,7 @@ TEST_P(CameraBatches, Rays_AreThoseOfTheCamera) {
             EXPECT_EQ(batch->ray(i).origin, ray.origin) << i;
             EXPECT_EQ(batch->ray(i).direction, ray.direction) << i;
             EXPECT_EQ(batch->time[i], ray.time) << i;
+            EXPECT_EQ(batch->weight[i], weights[static_cast<std::size_t>(i)]) << i;
         }
     }
 }

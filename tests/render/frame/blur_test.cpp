@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/render/scene_builder.h"
+#include "tests/render/two_disks.h"
 
 namespace carom::render {
 namespace {
@@ -119,6 +120,27 @@ TEST(DepthOfField, ZeroAperture_EqualsThePinholeExactlyWhereverItIsFocused) {
     frame.camera_open.focus_distance = frame.camera_close.focus_distance = 3;
     frame.camera_open.blades = frame.camera_close.blades = 6;
     EXPECT_EQ(render_frame(scene, tracks, frame, settings).rgba, pinhole.rgba);
+}
+
+// In an even light the picture shows how much of the pupil each of its places has.
+TEST(DepthOfField, CatEye_DarkensByTheAreaThatIsCovered) {
+    SceneBuilder builder;
+    builder.environment(1);
+    RenderSettings settings = small_settings(kWidth, kHeight, 256);
+    settings.for_denoiser = true;
+    CameraState state = far_camera();
+    state.lens_radius = 1;
+    state.lens = LensShape{.cat_eye_ratio = 1.1, .cat_eye_shift = 0.9};
+    const Film film =
+        render_frame(PreparedScene(builder.scene, settings), {}, static_frame(state), settings);
+    const double corner = 0.5 * std::hypot(kWidth, kHeight);
+    for (const int column : {0, 10, kWidth / 2}) {
+        const double far = std::hypot(column + 0.5 - kWidth / 2, 0.5 - kHeight / 2) / corner;
+        EXPECT_NEAR(pixel(film, column, 0, 1), test::common_area(1.1, 0.9 * far) / std::numbers::pi,
+                    4e-3)
+            << column;
+    }
+    EXPECT_EQ(pixel(film, kWidth / 2, kHeight / 2, 1), 1);
 }
 
 TEST(DepthOfField, SmallSpotOutOfFocus_SpreadsOverTheCircleOfConfusion) {

@@ -64,6 +64,7 @@ void for_each_sample(const render::Integrator& integrator, const render::ThinLen
         const auto run = render::CameraRun::all(batch);
         integrator.samples(run, lens.frame_at(0).pixel_size, results.data(), workspace, rays);
         for (int k = 0; k < run.count; ++k) {
+            results[static_cast<std::size_t>(k)].weigh(batch.weight[k]);
             visit(run.index(k), results[static_cast<std::size_t>(k)]);
         }
     }

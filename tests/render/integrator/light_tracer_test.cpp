@@ -46,11 +46,12 @@ CameraState camera() {
 }
 
 /// Mean luminance of the picture, with the reflections of lights by light tracing or by chance.
-Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples) {
+Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples,
+              const CameraState& state = camera()) {
     const auto& data = prepared.data();
     const FrameScene frame(data.geometry, {}, 0, 0);
     const TransportScene scene{frame, data.materials, data.lights, data.object_count};
-    const ThinLensCamera lens(camera(), camera(), kSize, kSize, 0, PixelFilter::box, 1);
+    const ThinLensCamera lens(state, state, kSize, kSize, 0, PixelFilter::box, 1);
     const LightTracer tracer(scene, lens);
     PathSettings path;
     path.max_bounces = 1;
@@ -88,6 +89,18 @@ TEST(LightTracer, SampledOrFoundByChance_HaveTheSameMean) {
     EXPECT_LT(by_chance.error, 0.01 * by_chance.mean);
     // With a thirty-second of the samples.
     EXPECT_LT(sampled.error, by_chance.error);
+}
+
+TEST(LightTracer, ThroughAShapedLens_HasTheSameMean) {
+    const PreparedScene prepared(balls_before_lights().scene,
+                                 test::small_settings(kSize, kSize, 16));
+    CameraState state = camera();
+    state.lens = LensShape{1.05, 0.9, 0.5, -0.15};
+    const Estimate sampled = seen(prepared, true, 24, 16, state);
+    const Estimate by_chance = seen(prepared, false, 48, 256, state);
+    EXPECT_NEAR(sampled.mean, by_chance.mean, 4 * std::hypot(sampled.error, by_chance.error));
+    EXPECT_LT(by_chance.error, 0.02 * by_chance.mean);
+    EXPECT_LT(sampled.mean, 0.97 * seen(prepared, true, 24, 16).mean) << "the corners are darker";
 }
 
 TEST(LightTracer, OfAPoint_AreThoseOfASmallBulb) {
