@@ -86,8 +86,8 @@ class Walker {
         const float distance = grid_.distance(surface.position);
         const float margin = 1.5F * grid_.side(grid_.level(distance));
         const Imath::Box3f& near = grid_.near();
-        if (Imath::Box3f(near.min + V3f(margin), near.max - V3f(margin))
-                .intersects(surface.position)) {
+        const V3f in = V3f(margin) + V3f(FarGrid::kBand, FarGrid::kBand, 0);
+        if (Imath::Box3f(near.min + in, near.max - in).intersects(surface.position)) {
             return;
         }
         const V3f& normal = surface.geometric_normal;

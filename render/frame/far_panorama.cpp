@@ -68,7 +68,7 @@ class RowTracer {
                 continue;
             }
             sums[static_cast<std::size_t>(i)] += emitted(rays_.origin.get(i), direction, hits[i]);
-            if (surfaces_.is_far(rays_.origin.get(i), direction, hits[i])) {
+            if (surfaces_.is_far(rays_.origin.get(i), direction, hits[i], 0)) {
                 on_surfaces_.add(i);
             }
         }
@@ -122,6 +122,58 @@ class RowTracer {
     QueueMemory memory_;
 };
 
+/// As seen through a haze: lamps that are seen from nine places become one, and do not make rough
+/// reflections noisy. With the kernel (cos a - cos kBlur)^2, whose standard deviation is about 5
+/// degrees, in proportion to solid angles.
+class Blur {
+  public:
+    Blur() {
+        for (int row = 0; row < kRows; ++row) {
+            const auto polar = scalar::sin_cos<scalar::One>(kPi * (static_cast<float>(row) + 0.5F) /
+                                                            static_cast<float>(kRows));
+            sine_.push_back(polar.sine);
+            cosine_.push_back(polar.cosine);
+        }
+        for (int step = 0; step < kColumns; ++step) {
+            turn_.push_back(scalar::sin_cos<scalar::One>(kTurn * static_cast<float>(step) /
+                                                         static_cast<float>(kColumns))
+                                .cosine);
+        }
+    }
+
+    [[nodiscard]] V3f at(const std::vector<V3f>& picture, int row, int column) const {
+        constexpr float kCosine = 0.9703F;  // of 14 degrees
+        constexpr int kReach = kRows * 14 / 180 + 1;
+        V3f sum(0);
+        float weights = 0;
+        for (int y = std::max(0, row - kReach); y <= std::min(kRows - 1, row + kReach); ++y) {
+            for (int step = 0; step < kColumns; ++step) {
+                const float cosine = cosine_of(row, y, step) - kCosine;
+                if (cosine > 0) {
+                    const float weight = cosine * cosine * sine_[static_cast<std::size_t>(y)];
+                    sum += picture[static_cast<std::size_t>(y * kColumns +
+                                                            (column + step) % kColumns)] *
+                           weight;
+                    weights += weight;
+                }
+            }
+        }
+        return sum / weights;
+    }
+
+  private:
+    /// Of the angle between pixels of two rows, so many columns apart.
+    [[nodiscard]] float cosine_of(int a, int b, int step) const {
+        const auto i = static_cast<std::size_t>(a);
+        const auto j = static_cast<std::size_t>(b);
+        return sine_[i] * sine_[j] * turn_[static_cast<std::size_t>(step)] +
+               cosine_[i] * cosine_[j];
+    }
+
+    std::vector<float> sine_, cosine_;  // of the rows' polar angles
+    std::vector<float> turn_;           // cosines of columns' differences
+};
+
 }  // namespace
 
 std::vector<SharedExponent> far_panorama(const TransportScene& scene, const FarRegion& region) {
@@ -130,7 +182,7 @@ std::vector<SharedExponent> far_panorama(const TransportScene& scene, const FarR
         scene, [](WaveScene&, SceneArena&) {}, arena);
     const FarSurfaces surfaces(scene);
     const std::vector<V3f> places = places_above(region);
-    std::vector<SharedExponent> panorama(std::size_t{kColumns} * kRows);
+    std::vector<V3f> seen(std::size_t{kColumns} * kRows);
     parallel_for(kRows, [&](std::size_t row) {
         RowTracer tracer(scene, wave_scene, surfaces);
         std::vector<V3f> sums(kColumns, V3f(0));
@@ -138,8 +190,16 @@ std::vector<SharedExponent> far_panorama(const TransportScene& scene, const FarR
             tracer.add(static_cast<int>(row), place, sums);
         }
         for (std::size_t column = 0; column < kColumns; ++column) {
-            panorama[row * kColumns + column] = SharedExponent(
-                sums[column] / static_cast<float>(kRaysOfPixel * static_cast<int>(places.size())));
+            seen[row * kColumns + column] =
+                sums[column] / static_cast<float>(kRaysOfPixel * static_cast<int>(places.size()));
+        }
+    });
+    const Blur blur;
+    std::vector<SharedExponent> panorama(seen.size());
+    parallel_for(kRows, [&](std::size_t row) {
+        for (int column = 0; column < kColumns; ++column) {
+            panorama[row * kColumns + static_cast<std::size_t>(column)] =
+                SharedExponent(blur.at(seen, static_cast<int>(row), column));
         }
     });
     return panorama;

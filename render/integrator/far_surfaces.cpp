@@ -10,29 +10,44 @@ namespace {
 
 /// What smooth dielectrics of index 1.5 reflect of light from all around.
 constexpr float kGlossOfAll = 0.092F;
+/// Smoother coats show a picture.
+constexpr float kSmooth = 0.12F;  // roughness
 /// Metals are followed.
 constexpr float kMostMetal = 0.5F;
 /// The length of rays that do not meet the near box, m: nothing occludes them.
 constexpr float kNoWay = 1e-6F;
 
-/// The largest value of a number. `constant`: in materials that do not vary.
-float most_of(const Material& material, TexturedNumber which, float constant) {
+struct Range {
+    float least, most;
+};
+
+/// The values of a number. `constant`: in materials that do not vary.
+Range range_of(const Material& material, TexturedNumber which, float constant) {
     const NumberPick& pick = material.textures().numbers().numbers[which];
     if (!material.varies()) {
-        return constant;
+        return {constant, constant};
     }
-    return pick.texture >= 0 ? std::max(pick.at_zero, pick.at_one) : pick.at_zero;
+    const float other = pick.texture >= 0 ? pick.at_one : pick.at_zero;
+    return {std::min(pick.at_zero, other), std::max(pick.at_zero, other)};
+}
+
+float most_coat(const Material& material) {
+    return range_of(material, kCoatWeight, material.numbers().coat_weight).most;
 }
 
 bool is_known(const Material& material) {
     return !material.is_transmissive() && !material.is_phong() &&
-           most_of(material, kMetal, material.numbers().metal) <= kMostMetal;
+           range_of(material, kMetal, material.numbers().metal).most <= kMostMetal;
+}
+
+bool is_smoothly_coated(const Material& material) {
+    const float roughness = std::sqrt(material.numbers().coat_alpha);
+    return most_coat(material) > 0 && range_of(material, kCoatRoughness, roughness).least < kSmooth;
 }
 
 float gloss_of(const Material& material) {
-    const float coat = most_of(material, kCoatWeight, material.numbers().coat_weight);
-    const float specular = most_of(material, kSpecular, material.numbers().specular);
-    return kGlossOfAll * (1 - (1 - coat) * (1 - specular));
+    const float specular = range_of(material, kSpecular, material.numbers().specular).most;
+    return kGlossOfAll * (1 - (1 - most_coat(material)) * (1 - specular));
 }
 
 }  // namespace
@@ -56,13 +71,16 @@ FarSurfaces::FarSurfaces(const TransportScene& scene) : light_(scene.far) {
     }
     numbers_ = far_numbers(scene);
     for (std::uint32_t object = 0; object < scene.first_light_object; ++object) {
-        gloss_.push_back(gloss_of(scene.materials[scene.frame.material(object)]));
+        const Material& material = scene.materials[scene.frame.material(object)];
+        gloss_.push_back(gloss_of(material));
+        has_smooth_coat_.push_back(is_smoothly_coated(material));
     }
 }
 
-bool FarSurfaces::is_far(const V3f& origin, const V3f& direction, const Hit& hit) const {
+bool FarSurfaces::is_far(const V3f& origin, const V3f& direction, const Hit& hit,
+                         float part) const {
     return hit.object < numbers_.size() && numbers_[hit.object] >= 0 &&
-           light_->grid().is_far(origin + direction * hit.t);
+           light_->grid().counts_as_far(origin + direction * hit.t, part);
 }
 
 V3f FarSurfaces::irradiance(const SurfaceQueue& vertices, int vertex) const {

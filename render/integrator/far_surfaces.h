@@ -12,7 +12,8 @@ namespace carom::render {
 /// Static surfaces in a scene's far region whose materials scatter mostly diffusely; glass, metal
 /// and phong materials there are followed like near ones. What arrives at the surface is
 /// interpolated (FarLight); its colour and its own emission are exact. They are seen by the camera
-/// and in mirrors, where their gloss is followed one vertex further.
+/// and in mirrors. What a smooth coat shows is followed where the camera sees it; other gloss
+/// reflects as if light came evenly from all sides.
 ///
 /// Paths that scattered before do not look for them: beyond the near box they find the panorama, as
 /// if the room were an environment, and there all lamps are sampled.
@@ -23,10 +24,13 @@ class FarSurfaces {
 
     /// Whether there may be any.
     [[nodiscard]] bool exist() const { return light_ != nullptr; }
-    /// Whether a ray's hit is on one.
-    [[nodiscard]] bool is_far(const V3f& origin, const V3f& direction, const Hit& hit) const;
-    /// Whether it has gloss that is followed where it is seen.
-    [[nodiscard]] bool has_gloss(std::uint32_t object) const { return gloss_[object] > 0; }
+    /// Whether a ray's hit is on one, for the share `part` of all paths (FarGrid).
+    [[nodiscard]] bool is_far(const V3f& origin, const V3f& direction, const Hit& hit,
+                              float part) const;
+    /// Whether it has a smooth coat, which is followed where it is seen.
+    [[nodiscard]] bool has_smooth_coat(std::uint32_t object) const {
+        return has_smooth_coat_[object];
+    }
 
     /// Of a vertex on such a surface, the radiance that it reflects diffusely towards `wo`.
     [[nodiscard]] V3f diffuse(const WaveScene& scene, const SurfaceQueue& vertices, int vertex,
@@ -40,6 +44,7 @@ class FarSurfaces {
     const FarLight* light_;
     std::vector<std::int32_t> numbers_;  // by object: that of FarLight; -1: never far
     std::vector<float> gloss_;  // by object: what its gloss reflects of light from all around
+    std::vector<bool> has_smooth_coat_;  // by object
 };
 
 /// By object: the number that FarLight gives it; -1: its surfaces are never far.

@@ -6,6 +6,7 @@
 
 #include "core/assert.h"
 #include "core/colour.h"
+#include "core/splitmix.h"
 #include "render/geometry/validity.h"
 #include "render/integrator/path_wave.h"
 #include "render/integrator/wave/scalar_kernels.h"
@@ -15,6 +16,17 @@ namespace {
 
 // Probability of continuing a path within glass after its last bounce.
 constexpr float kSurvivalInGlass = 0.95f;
+
+/// For which share of all paths a sample stands where surfaces change from near to far: differs
+/// between pixels, and takes all values over the samples of one.
+float far_part_of(const SampleIndex& index) {
+    constexpr double kGoldenSection = 0.6180339887498949;
+    const auto place = static_cast<std::uint64_t>(index.y) << 32U |
+                       static_cast<std::uint64_t>(static_cast<std::uint32_t>(index.x));
+    const double part =
+        static_cast<double>(split_mix(place) >> 11U) * 0x1p-53 + kGoldenSection * index.sample;
+    return static_cast<float>(part - std::floor(part));
+}
 
 /// Checks the output of the kernels: the continuing paths and the light of the shadow rays.
 [[maybe_unused]] bool is_valid(const PathQueue& paths) {
@@ -135,7 +147,8 @@ void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave)
     wave.from_camera.clear();
     wave.sums.clear();
     for (int i = 0; i < run.count; ++i) {
-        wave.from_camera.push_back({PathDimensions(run.stream(i)), run.index(i)});
+        wave.from_camera.push_back(
+            {PathDimensions(run.stream(i)), run.index(i), far_part_of(run.index(i))});
     }
     PathQueue& paths = wave.paths();
     begin_wave(run, pixel_spread, wave.samples, paths);
@@ -207,11 +220,8 @@ void PathIntegrator::sort_surface(int path, const Hit& hit, Wave& wave) const {
     const std::uint8_t traits = wave_scene_.traits[hit.object];
     const bool is_spent = wave.vertex > settings_.max_bounces;
     const bool is_vertex = traits == 0 ? !is_spent : becomes_vertex(path, hit, traits, wave);
-    const PathQueue& paths = wave.paths();
-    const bool ends_far =
-        far_surfaces_.exist() &&
-        far_surfaces_.is_far(paths.origin.get(path), paths.direction.get(path), hit) &&
-        !(is_vertex && is_seen_gloss(path, hit, wave));
+    const bool ends_far = is_far(path, hit, wave) && !(is_vertex && wave.vertex == 0 &&
+                                                       far_surfaces_.has_smooth_coat(hit.object));
     if (ends_far) {
         wave.far_paths.add(path);
     } else if (is_vertex) {

@@ -52,7 +52,7 @@ class PathIntegrator final : public Integrator {
     void process_hits(Wave& wave) const;
     void note_first_surfaces(const SurfaceQueue& vertices, Wave& wave) const;
     static void note_mirrored_surfaces(Wave& wave);
-    [[nodiscard]] bool is_seen_gloss(int path, const Hit& hit, Wave& wave) const;
+    [[nodiscard]] bool is_far(int path, const Hit& hit, Wave& wave) const;
     void add_far_ends(Wave& wave) const;
     void add_far_vertices(Wave& wave) const;
     void whiten(Wave& wave) const;

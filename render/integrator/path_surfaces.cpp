@@ -6,13 +6,6 @@
 #include "render/integrator/wave/scalar_kernels.h"
 
 namespace carom::render {
-namespace {
-
-// The gloss of far surfaces is followed where the camera sees it, at up to so many vertices.
-constexpr int kSeenGlossVertices = 3;
-
-}  // namespace
-
 void PathIntegrator::note_first_surfaces(const SurfaceQueue& vertices, Wave& wave) const {
     for (int i = 0; i < vertices.count; ++i) {
         RadianceSample& result = wave.sample_of(vertices.path.at[i]).result;
@@ -45,9 +38,11 @@ void PathIntegrator::note_mirrored_surfaces(Wave& wave) {
     }
 }
 
-bool PathIntegrator::is_seen_gloss(int path, const Hit& hit, Wave& wave) const {
-    return wave.vertex < kSeenGlossVertices && far_surfaces_.has_gloss(hit.object) &&
-           wave.paths().is_delta.at[path] != 0;
+bool PathIntegrator::is_far(int path, const Hit& hit, Wave& wave) const {
+    const PathQueue& paths = wave.paths();
+    return far_surfaces_.exist() &&
+           far_surfaces_.is_far(paths.origin.get(path), paths.direction.get(path), hit,
+                                wave.sample_of(path).far_part);
 }
 
 void PathIntegrator::add_far_ends(Wave& wave) const {
@@ -67,21 +62,21 @@ void PathIntegrator::add_far_ends(Wave& wave) const {
     }
 }
 
-// Those whose gloss is seen: the vertex adds what is diffuse, and only its gloss continues.
+// Those with a smooth coat: the vertex adds what is diffuse, and only its gloss continues.
 void PathIntegrator::add_far_vertices(Wave& wave) const {
-    if (!far_surfaces_.exist() || wave.vertex >= kSeenGlossVertices) {
+    if (!far_surfaces_.exist() || wave.vertex > 0) {
         return;
     }
     const PathQueue& paths = wave.paths();
     const SurfaceQueue& vertices = wave.vertices;
     for (int i = 0; i < vertices.count; ++i) {
         const int path = vertices.path.at[i];
-        const V3f direction = paths.direction.get(path);
         const Hit hit{vertices.distance.at[i], static_cast<std::uint32_t>(vertices.object.at[i])};
-        if (!far_surfaces_.is_far(paths.origin.get(path), direction, hit)) {
+        if (!is_far(path, hit, wave)) {
             continue;
         }
-        const V3f diffuse = far_surfaces_.diffuse(wave_scene_, vertices, i, -direction);
+        const V3f diffuse =
+            far_surfaces_.diffuse(wave_scene_, vertices, i, -paths.direction.get(path));
         wave.add(path, paths.throughput.get(path) * diffuse, wave.vertex);
         vertices.base.set(i, V3f(0));
     }

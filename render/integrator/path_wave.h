@@ -18,6 +18,7 @@ namespace carom::render {
 struct PathIntegrator::Sample {
     PathDimensions dimensions;
     SampleIndex index;
+    float far_part = 0;  // FarSurfaces::is_far
     RadianceSample result{};
 };
 

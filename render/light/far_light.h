@@ -25,6 +25,9 @@ class FarGrid {
     static constexpr int kMostLevel = 7;
     static constexpr std::uint32_t kMostObjects = 0xffff;
 
+    /// Surfaces change from near to far over so wide a band at the sides of the near box, m.
+    static constexpr float kBand = 0.4F;
+
     explicit FarGrid(const FarRegion& region);
 
     /// From the region's box, m.
@@ -32,6 +35,12 @@ class FarGrid {
     /// What is not in this box is far: the region's box, wider by its distance on all sides.
     [[nodiscard]] const Imath::Box3f& near() const { return near_; }
     [[nodiscard]] bool is_far(const V3f& position) const { return !near_.intersects(position); }
+    /// Whether a surface there counts as far for the share `part` of all paths, [0, 1]: within the
+    /// band at the sides of the box, it does for ever more of them.
+    [[nodiscard]] bool counts_as_far(const V3f& position, float part) const {
+        const V3f in(part * kBand, part * kBand, 0);
+        return !Imath::Box3f(near_.min + in, near_.max - in).intersects(position);
+    }
     /// The distance from the origin at which a ray leaves that box; 0 if it does not meet it.
     [[nodiscard]] float way_out(const V3f& origin, const V3f& direction) const;
     /// The logarithm to base 2 of the side of cells there, in units of FarRegion::cell.

@@ -11,7 +11,7 @@ namespace {
 // The inputs' number, the cells and the panorama, and the hash of all that. Numbers
 // are little endian or in groups of seven bits, the lowest first, with a bit more if another group
 // follows; keys are differences from the key before.
-constexpr std::string_view kBeginning = "carom far light 1\n";
+constexpr std::string_view kBeginning = "carom far light 2\n";
 
 class Writer {
   public:

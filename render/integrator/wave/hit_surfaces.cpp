@@ -41,30 +41,29 @@ HitSurfaces::HitSurfaces(const TransportScene& scene, const WaveScene& wave_scen
       hits_(static_cast<std::size_t>(most_paths + kBeyondQueue)) {}
 
 const Hit* HitSurfaces::trace(const PathQueue& paths) {
-    if (scene_.far != nullptr && paths.vertex > 0) {
-        trace_near(paths);
-    } else {
+    if (scene_.far == nullptr) {
         scene_.frame.structure().closest_hits(rays_of(paths), hits_.data());
+    } else {
+        scene_.frame.near().closest_hits(rays_of(paths), hits_.data());
+        end_near(paths);
+        trace_some(paths, scene_.frame.structure());
     }
     return hits_.data();
 }
 
-void HitSurfaces::trace_near(const PathQueue& paths) {
-    const auto choose = [&](bool is_delta) {
-        some_.clear();
-        for (int i = 0; i < paths.count; ++i) {
-            if ((paths.is_delta.at[i] != 0) == is_delta) {
-                some_.push_back(i);
-            }
-        }
-    };
-    choose(true);
-    trace_some(paths, scene_.frame.structure());
-    choose(false);
-    trace_some(paths, scene_.frame.near());
-    for (const int i : some_) {
+// Hits in the near box are the nearest ones of rays that begin in it. `some_` becomes those that
+// look for more, and the others find nothing.
+void HitSurfaces::end_near(const PathQueue& paths) {
+    const FarGrid& grid = scene_.far->grid();
+    some_.clear();
+    for (int i = 0; i < paths.count; ++i) {
+        const V3f origin = paths.origin.get(i);
         Hit& hit = hits_[static_cast<std::size_t>(i)];
-        if (hit.t > scene_.far->grid().way_out(paths.origin.get(i), paths.direction.get(i))) {
+        const bool leaves = hit.t > grid.way_out(origin, paths.direction.get(i));
+        const bool is_seen = paths.vertex == 0 || paths.is_delta.at[i] != 0;
+        if (is_seen && (leaves || grid.is_far(origin))) {
+            some_.push_back(i);
+        } else if (leaves) {
             hit = Hit{};
         }
     }

@@ -23,14 +23,14 @@ class HitSurfaces {
                 const WaveKernels& kernels, int most_paths);
 
     /// The next hits of all paths, by path. In a scene with far light, paths that scattered find
-    /// only what is in its near box.
+    /// only what is in its near box; all others look there first.
     const Hit* trace(const PathQueue& paths);
     /// Completes the vertices of some paths that hit a surface, in the order of their groups.
     void find(const PathQueue& paths, const IndexList& hit_paths, SurfaceQueue& vertices);
 
   private:
     void sort(const IndexList& hit_paths, SurfaceQueue& vertices);
-    void trace_near(const PathQueue& paths);
+    void end_near(const PathQueue& paths);
     void trace_some(const PathQueue& paths, const AccelerationStructure& structure);
 
     const TransportScene& scene_;

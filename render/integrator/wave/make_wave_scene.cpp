@@ -61,17 +61,17 @@ LightTree make_tree(const LightSet& lights, const FarLight* far, std::vector<Wav
     const auto put = [&](std::size_t first, std::size_t last) {
         std::vector<std::size_t> numbers;
         for (std::size_t light = first; light < last; ++light) {
-            if (const auto bounds = bounds_of(lights.lights()[light])) {
+            const auto bounds = bounds_of(lights.lights()[light]);
+            made[light].is_in_panorama = bounds && far != nullptr &&
+                                         made[light].kind != WaveLight::Kind::delta &&
+                                         far->grid().is_far(bounds->box.center());
+            if (bounds && !made[light].is_in_panorama) {
                 numbers.push_back(light);
                 in_tree[light] = *bounds;
             }
         }
         for (const std::size_t light : numbers) {
-            made[light].is_in_panorama = far != nullptr &&
-                                         made[light].kind != WaveLight::Kind::delta &&
-                                         far->grid().is_far(in_tree[light].box.center());
-            made[light].is_in_tree = !made[light].is_in_panorama && numbers.size() > kFewLights &&
-                                     in_tree[light].strength > 0;
+            made[light].is_in_tree = numbers.size() > kFewLights && in_tree[light].strength > 0;
             in_tree[light].strength = made[light].is_in_tree ? in_tree[light].strength : 0;
         }
     };
