@@ -12,6 +12,9 @@ namespace {
 constexpr float kGlossOfAll = 0.092F;
 /// Smoother coats show a picture.
 constexpr float kSmooth = 0.12F;  // roughness
+/// How much of the light comes from surfaces rather than straight from lamps, roughly: what gloss
+/// shows besides highlights.
+constexpr float kNotFromLamps = 0.3F;
 /// Metals are followed.
 constexpr float kMostMetal = 0.5F;
 /// The length of rays that do not meet the near box, m: nothing occludes them.
@@ -43,6 +46,17 @@ bool is_known(const Material& material) {
 bool is_smoothly_coated(const Material& material) {
     const float roughness = std::sqrt(material.numbers().coat_alpha);
     return most_coat(material) > 0 && range_of(material, kCoatRoughness, roughness).least < kSmooth;
+}
+
+scalar::BsdfOf<scalar::One> bsdf_of(const WaveScene& scene, const SurfaceQueue& vertices,
+                                    int vertex, const V3f& wo) {
+    scalar::BsdfOf<scalar::One> bsdf{};
+    scalar::set_layers<scalar::One>(scene.materials, vertices, vertex, vertices.material.at[vertex],
+                                    bsdf.layers);
+    scalar::complete<scalar::One>(bsdf, vertices.base.get(vertex),
+                                  vertices.geometric_normal.get(vertex),
+                                  vertices.normal.get(vertex), wo, false);
+    return bsdf;
 }
 
 float gloss_of(const Material& material) {
@@ -91,13 +105,18 @@ V3f FarSurfaces::irradiance(const SurfaceQueue& vertices, int vertex) const {
 
 V3f FarSurfaces::diffuse(const WaveScene& scene, const SurfaceQueue& vertices, int vertex,
                          const V3f& wo) const {
-    scalar::BsdfOf<scalar::One> bsdf{};
-    scalar::set_layers<scalar::One>(scene.materials, vertices, vertex, vertices.material.at[vertex],
-                                    bsdf.layers);
-    scalar::complete<scalar::One>(bsdf, vertices.base.get(vertex),
-                                  vertices.geometric_normal.get(vertex),
-                                  vertices.normal.get(vertex), wo, false);
-    return bsdf.lobes.diffuse * irradiance(vertices, vertex) * kInversePi;
+    return bsdf_of(scene, vertices, vertex, wo).lobes.diffuse * irradiance(vertices, vertex) *
+           kInversePi;
+}
+
+V3f FarSurfaces::seen(const WaveScene& scene, const SurfaceQueue& vertices, int vertex,
+                      const V3f& wo) const {
+    const scalar::BsdfOf<scalar::One> bsdf = bsdf_of(scene, vertices, vertex, wo);
+    const V3f gloss =
+        V3f(bsdf.lobes.coat) +
+        bsdf.lobes.specular * scalar::facet_reflectance<scalar::One>(
+                                  bsdf.layers, bsdf.lobes.metal_scale, bsdf.base, bsdf.wo.z);
+    return (bsdf.lobes.diffuse + kNotFromLamps * gloss) * irradiance(vertices, vertex) * kInversePi;
 }
 
 V3f FarSurfaces::whole(const SurfaceQueue& vertices, int vertex) const {

@@ -13,7 +13,7 @@ namespace carom::render {
 /// and phong materials there are followed like near ones. What arrives at the surface is
 /// interpolated (FarLight); its colour and its own emission are exact. They are seen by the camera
 /// and in mirrors. What a smooth coat shows is followed where the camera sees it; other gloss
-/// reflects as if light came evenly from all sides.
+/// shows a part of the light that arrives, without the highlights of lamps.
 ///
 /// Paths that scattered before do not look for them: beyond the near box they find the panorama, as
 /// if the room were an environment, and there all lamps are sampled.
@@ -35,7 +35,10 @@ class FarSurfaces {
     /// Of a vertex on such a surface, the radiance that it reflects diffusely towards `wo`.
     [[nodiscard]] V3f diffuse(const WaveScene& scene, const SurfaceQueue& vertices, int vertex,
                               const V3f& wo) const;
-    /// All that it reflects.
+    /// The same with its gloss.
+    [[nodiscard]] V3f seen(const WaveScene& scene, const SurfaceQueue& vertices, int vertex,
+                           const V3f& wo) const;
+    /// All that it reflects, in the mean over directions.
     [[nodiscard]] V3f whole(const SurfaceQueue& vertices, int vertex) const;
 
   private:

@@ -58,7 +58,8 @@ void PathIntegrator::add_far_ends(Wave& wave) const {
     }
     for (int i = 0; i < ends.count; ++i) {
         const int path = ends.path.at[i];
-        wave.add(path, paths.throughput.get(path) * far_surfaces_.whole(ends, i), wave.vertex);
+        const V3f light = far_surfaces_.seen(wave_scene_, ends, i, -paths.direction.get(path));
+        wave.add(path, paths.throughput.get(path) * light, wave.vertex);
     }
 }
 

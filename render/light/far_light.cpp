@@ -200,7 +200,29 @@ V3f FarLight::irradiance(std::uint32_t object, const V3f& position, const V3f& n
             return mean.value();
         }
     }
+    add_around(object, FarGrid::face(normal), own, position, mean);
+    if (mean.weight > 0) {
+        return mean.value();
+    }
     return object < mean_of_object_.size() ? mean_of_object_[object] : mean_of_all_;
+}
+
+void FarLight::add_around(std::uint32_t object, int face, int level, const V3f& position,
+                          Mean& mean) const {
+    constexpr int kFarthest = 5;  // cells
+    const std::uint64_t own = FarGrid::key(object, face, level, grid_.place(position, level));
+    for (int reach = 1; reach <= kFarthest && !(mean.weight > 0); ++reach) {
+        for (int z = -reach; z <= reach; ++z) {
+            for (int y = -reach; y <= reach; ++y) {
+                for (int x = -reach; x <= reach; ++x) {
+                    const SharedExponent* cell = find(FarGrid::neighbour(own, x, y, z));
+                    if (cell != nullptr) {
+                        mean.add(cell->value(), 1);
+                    }
+                }
+            }
+        }
+    }
 }
 
 }  // namespace carom::render

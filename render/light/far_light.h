@@ -93,7 +93,7 @@ class FarLight {
 
     [[nodiscard]] const FarGrid& grid() const { return grid_; }
     /// On an object's surface, W/m^2, interpolated between cells; `normal`: unit, on the side from
-    /// which the light comes. Where no cell is near, the mean of the object, or of all.
+    /// which the light comes. Where no cell is within five, the mean of the object, or of all.
     [[nodiscard]] V3f irradiance(std::uint32_t object, const V3f& position,
                                  const V3f& normal) const;
     /// What scattered light finds beyond the near box.
@@ -116,6 +116,9 @@ class FarLight {
     [[nodiscard]] const SharedExponent* find(std::uint64_t key) const;
     void add_face(std::uint64_t object, int face, int level, const V3f& position, float weight,
                   Mean& mean) const;
+    /// The nearest cells around the position, where it is in none.
+    void add_around(std::uint32_t object, int face, int level, const V3f& position,
+                    Mean& mean) const;
     void add_means();
     void make_table();
 

@@ -1,5 +1,7 @@
 #include "render/light/far_light.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace carom::render {
@@ -43,6 +45,18 @@ TEST(FarGrid, Distance_IsThatFromTheBox) {
     EXPECT_FLOAT_EQ(grid.distance(V3f(4, 5, 0)), 5);
     EXPECT_FALSE(grid.is_far(V3f(2.9F, 0, 0)));
     EXPECT_TRUE(grid.is_far(V3f(3.1F, 0, 0)));
+}
+
+/// The box ends at x = 3: from 2.6 m on, ever more paths take surfaces as far.
+TEST(FarGrid, SurfacesBecomeFarOverABand) {
+    const FarGrid grid(region());
+    for (const float y : {0.0F, 2.0F}) {
+        EXPECT_FALSE(grid.counts_as_far(V3f(2.59F, y, 0), 1));
+        EXPECT_FALSE(grid.counts_as_far(V3f(2.8F, y, 0), 0.49F));
+        EXPECT_TRUE(grid.counts_as_far(V3f(2.8F, y, 0), 0.51F));
+        EXPECT_TRUE(grid.counts_as_far(V3f(3.01F, y, 0), 0));
+    }
+    EXPECT_FALSE(grid.counts_as_far(V3f(0, 0, 1.99F), 1)) << "not above the table";
 }
 
 TEST(FarGrid, WayOut_EndsAtTheNearBox) {
@@ -100,6 +114,29 @@ TEST(FarLight, PlacesWithoutCells_HaveTheMean) {
     EXPECT_NEAR(light.irradiance(3, V3f(4, 0, 0), V3f(0, 0, 1)).x, 2, 0.01);
     EXPECT_NEAR(light.irradiance(2, V3f(4, 0, 0), V3f(-1, 0, 0)).x, 2, 0.01);
     EXPECT_NEAR(light.irradiance(9, V3f(4, 0, 0), V3f(-1, 0, 0)).x, 2, 0.01);
+}
+
+/// A hole in a wall has the light of its rim, however bright the rest of the wall is.
+TEST(FarLight, Holes_HaveTheLightAroundThem) {
+    const FarLight whole = wall(
+        3, [](float y, float z) { return V3f(std::abs(y) < 2 && std::abs(z) < 2 ? 1.0F : 50.0F); });
+    const FarGrid grid(region());
+    std::vector<FarLight::Cell> cells = whole.cells();
+    std::erase_if(cells, [&](const FarLight::Cell& cell) {
+        for (int z = -2; z <= 2; ++z) {
+            for (int y = -2; y <= 2; ++y) {
+                const V3f at(4, 0.1F + 0.25F * static_cast<float>(y),
+                             0.1F + 0.25F * static_cast<float>(z));
+                if (cell.key == FarGrid::key(3, 1, 0, grid.place(at, 0))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    });
+    EXPECT_EQ(cells.size(), whole.cells().size() - 25);
+    const FarLight holed(region(), cells, std::vector<SharedExponent>(kDirections));
+    EXPECT_EQ(holed.irradiance(3, V3f(4, 0.1F, 0.1F), V3f(-1, 0, 0)), V3f(1));
 }
 
 /// Between two faces the light of both counts.
