@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "pipeline/config/load_shot.h"
+#include "pipeline/job/far_light.h"
 #include "pipeline/job/film_job.h"
 #include "render/frame/frame.h"
 #include "tests/folders.h"
@@ -57,8 +58,10 @@ pipeline::FrameInputs ExampleFilm::inputs(std::int64_t frame) const {
 
 render::Film ExampleFilm::render(std::int64_t frame) const {
     const pipeline::FrameInputs all = inputs(frame);
-    return render::render_frame(render::PreparedScene(shot.scene, shot.render), all.tracks,
-                                all.frame, shot.render);
+    return render::render_frame(
+        render::PreparedScene(shot.scene, shot.render, {},
+                              pipeline::known_far_light(shot.scene, nullptr)),
+        all.tracks, all.frame, shot.render);
 }
 
 }  // namespace carom::testing

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/job/far_light.h"
 #include "render/frame/frame.h"
 #include "render/frame/progressive_frame.h"
 #include "tests/folders.h"
@@ -42,7 +43,8 @@ void expect_same_bits_in_rounds(const ExampleFilm& film, std::int64_t frame) {
     const FrameInputs inputs = film.inputs(frame);
     render::RenderSettings settings = film.shot.render;
     settings.samples = 8;
-    const render::PreparedScene scene(film.shot.scene, settings);
+    const render::PreparedScene scene(film.shot.scene, settings, {},
+                                      known_far_light(film.shot.scene, nullptr));
     const render::Film at_once = render::render_frame(scene, inputs.tracks, inputs.frame, settings);
     render::ProgressiveFrame progressive(scene, inputs.tracks, inputs.frame, settings);
     for (int samples = 1; !progressive.finished(); samples *= 2) {

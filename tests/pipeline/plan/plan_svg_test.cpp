@@ -101,7 +101,7 @@ TEST(LoudnessCurve, Levels_AreLinearBetweenFullScaleAndTheQuietest) {
 }
 
 TEST(PlanSvg, Scenery_IsDrawn) {
-    const Baked shot = example("gallery/hero_club");
+    const Baked shot = example("cue_stroke");
     const std::string svg = plan_svg(shot.shot, shot.timeline);
     expect_well_formed(svg);
     EXPECT_THAT(svg, HasSubstr("<title>chalk</title>\n   <path class=\"prop\""));
